@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "keikan/scan/projected_faces.hpp"
+#include "keikan/scan/scan_band.hpp"
+
+namespace keikan {
+
+/// Which pixels get the exact division (paper 2.1).
+enum class Extraction {
+    Outline,  ///< every pixel in which more than one face, or a face and the background, can be seen
+    Paper,    ///< pixels met by an outline of a conductor, or by a near-horizontal edge of anything else
+};
+
+struct ScanOptions {
+    Extraction extraction = Extraction::Outline;
+    /// Extraction::Paper: an edge is near-horizontal when |dy| < near_horizontal_slope |dx|.
+    double near_horizontal_slope = 0.25;
+};
+
+struct ScanStatistics {
+    std::uint64_t faces = 0;            ///< that the camera can see
+    std::uint64_t divided_pixels = 0;   ///< by exact areas
+    std::uint64_t scanline_pixels = 0;  ///< by lengths along the scanline
+    std::uint64_t multi_object_pixels = 0;  ///< divided pixels that show more than one object, or background too
+    std::uint64_t parts = 0;
+    double seconds_project = 0, seconds_bin = 0, seconds_divide = 0;
+};
+
+/// Scans the picture in bands of rows and hands each band to `take`, in order from the top, one at a time.
+/// Memory holds the projected faces and a few bands, not the picture.
+///
+/// Properties:
+///   (1) Every pixel is in exactly one span or divided pixel.
+///   (2) Under Extraction::Outline, the weights are visible_areas() of all `faces`, within its bounds; a span
+///       shows its face wholly.
+///   (3) The bands are the same, byte for byte, for any number of threads.
+/// Paper:    section 2, Fig. 1 (scan processing), and 3.1.
+ScanStatistics scan_faces(const ProjectedFaces& faces, const Geometry& geometry, const Camera& camera,
+                          const ScanOptions& options, const std::function<void(const ScanBand&)>& take);
+
+}  // namespace keikan

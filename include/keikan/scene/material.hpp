@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "keikan/image/image.hpp"
+
+namespace keikan {
+
+/// Colours of a terrain by height, and by slope where it is steep.
+struct HeightSlopeRamp {
+    struct Stop {
+        float height_m;
+        Rgb colour;
+    };
+    std::vector<Stop> stops;        ///< rising heights; linear between, constant beyond
+    Rgb steep{0.3f, 0.28f, 0.26f};  ///< bare rock
+    float steep_from_deg = 35;      ///< blends from the height's colour ...
+    float steep_full_deg = 50;      ///< ... to `steep`
+};
+
+/// Phong reflection in linear light: ambient * albedo + sun * (diffuse * albedo * cos + specular * cos^exponent).
+struct Material {
+    std::string name;
+    Rgb colour{0.5f, 0.5f, 0.5f};  ///< albedo
+    float diffuse = 1;
+    float specular = 0;
+    float exponent = 10;
+    std::optional<HeightSlopeRamp> ramp;  ///< replaces `colour`
+};
+
+/// The lights of the scene, all in linear light.
+struct Light {
+    glm::dvec3 to_sun{0, 0, 1};      ///< unit vector
+    Rgb sun{1, 1, 1};
+    Rgb sky_ambient{0.3f, 0.35f, 0.45f};     ///< on faces that look up; blends by the normal's z ...
+    Rgb ground_ambient{0.12f, 0.11f, 0.1f};  ///< ... to this on faces that look down
+};
+
+/// The sky behind everything, a gradient over the elevation of the view direction.
+struct Background {
+    Rgb zenith{0.2f, 0.38f, 0.75f};
+    Rgb horizon{0.75f, 0.83f, 0.92f};
+};
+
+/// Distance haze: a fraction 1 - exp(-distance / range_m) of what is seen becomes `colour`.
+struct Haze {
+    Rgb colour{0.7f, 0.78f, 0.88f};
+    double range_m = 0;  ///< 0: none
+};
+
+}  // namespace keikan
