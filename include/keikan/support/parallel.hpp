@@ -8,7 +8,8 @@ namespace keikan {
 
 /// While it lives, the work below runs in at most `threads` threads (0: as many as the machine has).
 /// The only place of the project where threads are made; nothing is summed across them, so their number
-/// cannot change a result.
+/// cannot change a result. Of several that live, the youngest counts; made and ended by one thread, outside
+/// of the work itself.
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads);
@@ -16,16 +17,18 @@ class ThreadLimit {
     ThreadLimit(const ThreadLimit&) = delete;
     ThreadLimit& operator=(const ThreadLimit&) = delete;
 
-  private:
     struct Control;
+
+  private:
     std::unique_ptr<Control> control_;
 };
 
 /// Threads that the work below may use at this moment, at least 1.
 int thread_count();
 
-/// Calls `work(i)` once for every i in [0, count), in any order, side by side. An exception of any
-/// call is thrown again here.
+/// Calls `work(i)` once for every i in [0, count), in any order, side by side. An exception of any call is
+/// thrown again here, when no other call runs any more; calls that had not begun by then are left out. The
+/// same holds for the functions below. With one thread, all calls come in rising order on this thread.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Calls `work(begin, end)` for ranges that divide [0, count), each at least `grain` long (the last may

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keikan/support/check.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "keikan/support/input_error.hpp"
+
+using namespace keikan;
+
+TEST_CASE("KEIKAN_CHECK: a failure tells the file, the message and the condition", "[support]") {
+    try {
+        KEIKAN_CHECK(1 + 1 == 3, "the sum is " << 1 + 1);
+        FAIL("a false condition went through");
+    } catch (const CheckFailure& failure) {
+        const std::string text = failure.what();
+        CHECK(text.starts_with("check_test.cpp:"));
+        CHECK(text.ends_with(": the sum is 2 (1 + 1 == 3)"));
+    }
+    KEIKAN_CHECK(true, "a message that is never built: " << (FAIL("built"), 0));
+}
+
+TEST_CASE("InputError: file, place and reason make one line", "[support]") {
+    CHECK(std::string(InputError("a.json", "/camera", "no such key").what()) == "a.json:/camera: no such key");
+    CHECK(std::string(InputError("a.json", "", "empty").what()) == "a.json: empty");
+}
