@@ -18,14 +18,26 @@ target_compile_features(keikan_flags INTERFACE cxx_std_20)
 target_compile_options(keikan_flags INTERFACE -ffp-contract=off)
 install(TARGETS keikan_flags EXPORT keikan-targets)
 
+# Linked by our own targets alone and never installed. Headers of other projects are system headers, so
+# they are not held to it.
 add_library(keikan_warnings INTERFACE)
 target_compile_options(keikan_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Werror -Wshadow -Wconversion -Wsign-conversion -Wno-error=deprecated-declarations)
 
+# Instructions of a certain processor, e.g. native or x86-64-v3. The results stay the same, bit for bit:
+# contraction is off, and what remains (+ - * / sqrt) is rounded correctly at every vector width.
+set(KEIKAN_MARCH "" CACHE STRING "Value for -march; empty: what the compiler does by itself")
+if(KEIKAN_MARCH)
+  add_compile_options(-march=${KEIKAN_MARCH})
+endif()
+
+# KEIKAN_DCHECK is alive in debug builds and under a sanitizer.
+add_compile_definitions($<$<CONFIG:Debug>:KEIKAN_DEBUG_CHECKS>)
 set(KEIKAN_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 if(KEIKAN_SANITIZE)
   add_compile_options(-fsanitize=${KEIKAN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${KEIKAN_SANITIZE})
+  add_compile_definitions($<$<NOT:$<CONFIG:Debug>>:KEIKAN_DEBUG_CHECKS>)
 endif()
 
 # keikan_library(clip SOURCES a.cpp ... PUBLIC keikan::model ... PRIVATE fmt::fmt ...)
@@ -48,6 +60,9 @@ function(keikan_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   add_library(keikan::${name} ALIAS ${target})
   install(TARGETS ${target} EXPORT keikan-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  # For the installed package: a component of this name, and what it stands on.
+  set_property(GLOBAL APPEND PROPERTY KEIKAN_COMPONENTS ${name})
+  set_property(GLOBAL PROPERTY KEIKAN_LINKS_${name} ${arg_PUBLIC} ${arg_PRIVATE})
 endfunction()
 
 # keikan_tests(clip SOURCES a_test.cpp ... LINK keikan::clip ...) makes the Catch2 program
