@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "keikan/model/pixel.hpp"
 
 namespace keikan {
+
+/// Where a world point is seen, and how far away along the view direction.
+struct ImagePoint {
+    double x = 0;
+    double y = 0;
+    double depth_m = 0;
+};
 
 /// A camera, ready to project. A world point X has camera coordinates
 ///   depth = forward . (X - position),  u = right . (X - position),  v = down . (X - position)   [m],
@@ -32,6 +40,12 @@ struct Camera {
     glm::dvec3 world_point(double x, double y, double w) const;
     /// Unit vector from the eye towards what is seen at image point (x, y).
     glm::dvec3 view_direction(double x, double y) const;
+    /// Where a world point is seen; nothing when it is nearer than near_m.
+    std::optional<ImagePoint> image_point(const glm::dvec3& world) const;
+    /// Turns the camera to look along `direction` (any length but 0) with its rows level, then rolls it
+    /// clockwise as seen from behind it, so that the picture turns counter-clockwise. Straight up or down,
+    /// east is to the right.
+    void look_along(const glm::dvec3& direction, double roll_rad = 0);
 };
 
 }  // namespace keikan
