@@ -9,7 +9,8 @@ int main(int count, char** arguments) {
     try {
         const keikan::Scene scene = keikan::read_scene(arguments[1]);
         const keikan::Geometry geometry = keikan::build_geometry(scene);
-        std::printf("%s: %zu objects, %u faces\n", arguments[1], geometry.objects.size(), geometry.first_face.back());
+        std::printf("%s: %zu objects, %u faces\n", arguments[1], geometry.objects.size(),
+                    geometry.first_face.back());
         return geometry.first_face.back() > 0 ? 0 : 1;
     } catch (const keikan::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
