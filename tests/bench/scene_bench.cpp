@@ -15,9 +15,10 @@
 #include <vector>
 
 #include "embree_render.hpp"
+#include "keikan/render/render_scene.hpp"
 #include "keikan/scene/scene.hpp"
 #include "keikan/support/parallel.hpp"
-#include "keikan_render.hpp"
+#include "multi_object_pixels.hpp"
 
 namespace {
 
@@ -65,16 +66,15 @@ Timings measure(const Options& options, const Scene& scene, const Geometry& geom
     const ThreadLimit limit(options.threads);
     Timings timings;
     Image<Rgb> image(scene.camera.size);
-    bench::render(geometry, scene, image);  // warms up; Embree's turn comes below, after its buffers
+    render_scene(scene, geometry);  // warms up, before Embree holds any memory
     timings.keikan_peak_mib = peak_mib();
 
     bench::EmbreeRender embree(geometry, scene.camera, options.threads);
     embree.build();
     embree.trace(1, image);
     for (int i = 0; i < options.repeat; ++i) {
-        const bench::RenderTimes times = bench::render(geometry, scene, image);
-        timings.keikan.push_back(times.seconds);
-        timings.statistics = times.statistics;
+        timings.keikan.push_back(
+            seconds_of([&] { timings.statistics = render_scene(scene, geometry).scan; }));
         timings.hierarchy.push_back(seconds_of([&] { embree.build(); }));
         for (std::size_t s = 0; s < kSides.size(); ++s)
             timings.rays[s].push_back(seconds_of([&] { embree.trace(kSides[s], image); }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "keikan_render.hpp"
+#include "multi_object_pixels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,8 @@
 #include <utility>
 
 #include "keikan/clip/visible_areas.hpp"
-#include "keikan/render/shade.hpp"
+#include "keikan/image/image.hpp"
+#include "keikan/scan/scan_scene.hpp"
 
 namespace keikan::bench {
 namespace {
@@ -120,16 +121,6 @@ std::vector<std::vector<std::uint32_t>> candidates(const ProjectedFaces& faces, 
 }
 
 }  // namespace
-
-RenderTimes render(const Geometry& geometry, const Scene& scene, Image<Rgb>& image) {
-    const Clock::time_point start = Clock::now();
-    RenderTimes times;
-    const ProjectedFaces faces = project_faces(geometry, scene.camera);
-    times.statistics = scan_faces(faces, geometry, scene.camera, {},
-                                  [&](const ScanBand& band) { shade_band(band, scene, image); });
-    times.seconds = seconds_since(start);
-    return times;
-}
 
 std::vector<double> seconds_of_multi_object_pixels(const Geometry& geometry, const Camera& camera) {
     const ProjectedFaces faces = project_faces(geometry, camera);
