@@ -12,7 +12,9 @@ namespace keikan {
 namespace {
 
 /// sinh(x) / x, 1 at 0.
-double sinhc(double x) { return x == 0 ? 1 : std::sinh(x) / x; }
+double sinhc(double x) {
+    return x == 0 ? 1 : std::sinh(x) / x;
+}
 
 void require_supports(double span_m, double rise_m) {
     if (!(span_m > 0) || !std::isfinite(span_m))
@@ -35,14 +37,18 @@ double Catenary::height_at(double s) const {
     return 2 * a * std::sinh((s - 2 * low_m) / (2 * a)) * std::sinh(s / (2 * a));
 }
 
-double Catenary::slope_at(double s) const { return std::sinh((s - low_m) / parameter_m); }
+double Catenary::slope_at(double s) const {
+    return std::sinh((s - low_m) / parameter_m);
+}
 
 double Catenary::length_m() const {
     const double chordless = 2 * parameter_m * std::sinh(span_m / (2 * parameter_m));
     return std::hypot(chordless, rise_m);
 }
 
-double Catenary::sag_m() const { return chord_error_m(0, span_m); }
+double Catenary::sag_m() const {
+    return chord_error_m(0, span_m);
+}
 
 double Catenary::chord_error_m(double from_s, double to_s) const {
     // In units of a, from the middle of the chord: with q the middle's distance from the lowest point, v half
