@@ -20,6 +20,7 @@ struct SeenFace {
     std::array<std::array<float, 3>, 3> normal{};
     Point normal_at;
     std::array<float, 3> flat_normal{};  ///< unit normal of the plane itself (slope of terrain)
+    friend bool operator==(const SeenFace&, const SeenFace&) = default;
 };
 
 /// Pixels [x_begin, x_end) of a row that show one face only (or the background only), wholly.
@@ -28,6 +29,7 @@ struct Span {
     std::int32_t x_begin = 0;
     std::int32_t x_end = 0;
     std::uint32_t face = kBackground;  ///< into ScanBand::faces
+    friend bool operator==(const Span&, const Span&) = default;
 };
 
 /// Where the weights of a divided pixel come from.
@@ -43,6 +45,7 @@ struct DividedPixel {
     std::uint32_t part_begin = 0;  ///< into ScanBand::parts
     std::uint32_t part_end = 0;
     double background = 0;
+    friend bool operator==(const DividedPixel&, const DividedPixel&) = default;
 };
 
 /// One face's share of a divided pixel.
@@ -51,6 +54,7 @@ struct SeenPart {
     float x = 0;             ///< centroid of the visible region, pixel-local
     float y = 0;
     double weight = 0;       ///< fraction of the pixel
+    friend bool operator==(const SeenPart&, const SeenPart&) = default;
 };
 
 /// Some rows of the scanned picture: every pixel is in exactly one span or is one divided pixel.
@@ -63,6 +67,7 @@ struct ScanBand {
     std::vector<DividedPixel> divided;           ///< row by row, by rising x
     std::vector<std::uint32_t> divided_begin;    ///< rows + 1 values, into `divided`
     std::vector<SeenPart> parts;
+    friend bool operator==(const ScanBand&, const ScanBand&) = default;
 };
 
 }  // namespace keikan

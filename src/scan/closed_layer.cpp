@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "closed_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edge_moments.hpp"
+
+namespace keikan {
+namespace {
+
+/// What the moments of a face with up to FaceFacts::kMostEdges edges may be off by: less than 4 u for each
+/// edge (edge_moments) and one u for each sum.
+constexpr double kLeastShare = (5 * FaceFacts::kMostEdges) * 0x1p-53 / 8;
+
+/// Position of `face` among the candidates, which rise by face; their number where it is none of them.
+std::size_t position_of(std::uint32_t face, std::span<const Candidate> candidates) {
+    constexpr std::size_t kFew = 24;
+    if (candidates.size() <= kFew) {
+        std::size_t i = 0;
+        while (i < candidates.size() && candidates[i].face != face) ++i;
+        return i;
+    }
+    const auto at = std::lower_bound(candidates.begin(), candidates.end(), face,
+                                     [](const Candidate& c, std::uint32_t f) { return c.face < f; });
+    if (at == candidates.end() || at->face != face) return candidates.size();
+    return static_cast<std::size_t>(at - candidates.begin());
+}
+
+Moments moments_in_pixel(std::span<const Point> outline, int turn, PixelIndex pixel) {
+    Moments sum;
+    const Point last = outline.back();
+    Point p{last.x - pixel.x, last.y - pixel.y};
+    for (const Point corner : outline) {
+        const Point q{corner.x - pixel.x, corner.y - pixel.y};
+        sum += edge_moments(p, q);
+        p = q;
+    }
+    if (turn < 0) sum = {-sum.area, -sum.x, -sum.y};
+    return sum;
+}
+
+}  // namespace
+
+/// Collects what is connected with `start` through shared edges. An edge on whose inner side the pixel lies
+/// wholly cannot meet the pixel's interior, and needs no neighbour. A neighbour that is no candidate does not
+/// meet the pixel, so neither does the edge.
+bool ClosedLayer::grow(const ProjectedFaces& faces, const FaceNeighbours& neighbours,
+                       std::span<const Candidate> candidates, std::size_t start) {
+    members_.assign(1, static_cast<std::uint32_t>(start));
+    is_member_.assign(candidates.size(), 0);
+    is_member_[start] = 1;
+    bool closed = true;
+    for (std::size_t m = 0; m < members_.size(); ++m) {
+        const Candidate& member = candidates[members_[m]];
+        const std::uint32_t begin = faces.begin[member.face];
+        const std::uint32_t edges = faces.begin[member.face + 1] - begin;
+        for (std::uint32_t e = 0; e < edges; ++e) {
+            if (e < FaceFacts::kMostEdges && (member.inside >> e & 1)) continue;
+            const std::uint32_t across = neighbours.across[begin + e];
+            if (across == FaceNeighbours::kOpen) {
+                closed = false;
+                continue;
+            }
+            const std::size_t next = position_of(across, candidates);
+            if (next == candidates.size() || is_member_[next]) continue;
+            is_member_[next] = 1;
+            members_.push_back(static_cast<std::uint32_t>(next));
+        }
+    }
+    return closed;
+}
+
+bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
+                       const FaceNeighbours& neighbours, std::span<const Candidate> candidates,
+                       std::size_t start) {
+    if (!grow(faces, neighbours, candidates, start)) return false;
+    std::sort(members_.begin(), members_.end());
+    parts_.clear();
+    double area = 0;
+    w_min_ = candidates[start].w_min;
+    for (const std::uint32_t m : members_) {
+        const std::uint32_t face = candidates[m].face;
+        const Moments moments = moments_in_pixel(faces[face].outline, facts[face].turn, pixel);
+        area += moments.area;
+        w_min_ = std::min(w_min_, candidates[m].w_min);
+        if (moments.area <= kLeastShare) continue;
+        const auto within = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
+        parts_.push_back({face, within(moments.x / moments.area), within(moments.y / moments.area),
+                          std::min(moments.area, 1.0)});
+    }
+    return std::abs(area - 1) < 0.25;  // a whole number, rounded by far less
+}
+
+}  // namespace keikan

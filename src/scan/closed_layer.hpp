@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "keikan/scan/scan_band.hpp"
+#include "tile_candidates.hpp"
+
+namespace keikan {
+
+/// Finds faces that tile a pixel side by side, as the faces of a terrain do, and their areas without any
+/// clipping of faces against each other. One object a thread.
+///
+/// A set of faces of one turn is *closed* in a pixel when each of their edges either does not meet the
+/// pixel's interior or is shared, the other way round and with the same doubles, with another face of the
+/// set. Then the boundaries of all faces cancel inside the pixel, the number of faces over a point is the
+/// same at almost all its points, and it equals the sum of the faces' areas in the pixel: a whole number.
+/// If it is 1 the faces tile the pixel. No coordinate is compared with a tolerance; the sum need only be
+/// told from the next whole number.
+class ClosedLayer {
+  public:
+    /// Looks for a closed set that holds `candidates[start]` and tiles the pixel. Requires: no candidate has
+    /// been left out, so the pixel is not covered.
+    bool find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
+              const FaceNeighbours& neighbours, std::span<const Candidate> candidates, std::size_t start);
+
+    /// Of the layer found: its candidates (positions), its least w in the pixel, and each face's share.
+    std::span<const std::uint32_t> members() const { return members_; }
+    double w_min() const { return w_min_; }
+    /// Parts name projected faces and come by rising face. A share below what rounding can tell from nothing
+    /// is left out.
+    std::span<const SeenPart> parts() const { return parts_; }
+
+    /// Whether the last search has reached that candidate.
+    bool reached(std::size_t candidate) const { return is_member_[candidate] != 0; }
+
+  private:
+    bool grow(const ProjectedFaces& faces, const FaceNeighbours& neighbours,
+              std::span<const Candidate> candidates, std::size_t start);
+
+    std::vector<std::uint32_t> members_;
+    std::vector<std::uint8_t> is_member_;
+    std::vector<SeenPart> parts_;
+    double w_min_ = 0;
+};
+
+}  // namespace keikan

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pixel_division.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace keikan {
+namespace {
+
+/// Whether the segment meets the closed pixel, in plain arithmetic: extraction is a choice of what to draw
+/// how well, and no area depends on it.
+bool meets_pixel(Point p, Point q, PixelIndex pixel) {
+    const double left = pixel.x, top = pixel.y, right = left + 1, bottom = top + 1;
+    if (std::max(p.x, q.x) < left || std::min(p.x, q.x) > right || std::max(p.y, q.y) < top ||
+        std::min(p.y, q.y) > bottom)
+        return false;
+    const auto side = [&](double x, double y) { return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x); };
+    const std::array<double, 4> sides{side(left, top), side(right, top), side(left, bottom),
+                                      side(right, bottom)};
+    const auto [least, greatest] = std::minmax_element(sides.begin(), sides.end());
+    return *least <= 0 && *greatest >= 0;
+}
+
+}  // namespace
+
+DividedView PixelDivision::operator()(PixelIndex pixel, std::span<const Candidate> candidates,
+                                      bool covered) {
+    if (question_.options.extraction == Extraction::Paper && !flagged(pixel, candidates))
+        return by_scanline(pixel, candidates);
+    return by_exact_areas(pixel, candidates, covered);
+}
+
+DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates,
+                                          bool covered) {
+    // A layer that tiles the pixel hides what lies wholly behind it. If nothing else is left, its faces'
+    // areas are the answer; otherwise it has at least shortened the question. The nearest face's layer is
+    // the likeliest; after it, the layers of what it has not reached.
+    double hidden_below = -std::numeric_limits<double>::infinity();
+    constexpr int kAttempts = 3;
+    double tried_below = std::numeric_limits<double>::infinity();
+    for (int attempt = 0; attempt < kAttempts && !covered; ++attempt) {
+        std::size_t start = candidates.size();
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            if (candidates[i].w_max < tried_below &&
+                (start == candidates.size() || candidates[i].w_max > candidates[start].w_max) &&
+                (attempt == 0 || !layer_.reached(i)))
+                start = i;
+        if (start == candidates.size()) break;
+        tried_below = candidates[start].w_max;
+        if (!layer_.find(pixel, question_.faces, question_.facts, question_.neighbours, candidates, start))
+            continue;
+        hidden_below = layer_.w_min();
+        const bool alone = std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+            return c.w_max >= hidden_below &&
+                   !layer_.reached(static_cast<std::size_t>(&c - candidates.data()));
+        });
+        if (alone) return {Division::ExactAreas, layer_.parts(), 0};
+        break;
+    }
+    asked_.clear();
+    asked_face_.clear();
+    for (const Candidate& c : candidates) {
+        if (c.w_max < hidden_below) continue;
+        asked_.push_back(question_.faces[c.face]);
+        asked_face_.push_back(c.face);
+    }
+    return by_visible_areas(pixel);
+}
+
+DividedView PixelDivision::by_visible_areas(PixelIndex pixel) {
+    const PixelCoverage coverage = visible_areas_(pixel, asked_, Nearness::ByDepth);
+    parts_.clear();
+    for (const VisiblePart& part : coverage.parts)
+        parts_.push_back({asked_face_[part.face], static_cast<float>(part.centroid.x),
+                          static_cast<float>(part.centroid.y), part.area});
+    return {Division::ExactAreas, parts_, coverage.background};
+}
+
+DividedView PixelDivision::by_scanline(PixelIndex pixel, std::span<const Candidate> candidates) {
+    asked_.clear();
+    for (const Candidate& c : candidates) asked_.push_back(question_.faces[c.face]);
+    const auto parts = scanline_lengths_(pixel, asked_);
+    parts_.assign(parts.begin(), parts.end());
+    for (SeenPart& part : parts_) part.face = candidates[part.face].face;
+    return {Division::Scanline, parts_, scanline_lengths_.background()};
+}
+
+bool PixelDivision::flagged(PixelIndex pixel, std::span<const Candidate> candidates) const {
+    for (const Candidate& c : candidates) {
+        const std::uint16_t object = question_.facts[c.face].object;
+        const bool conductor = question_.geometry.objects[object].kind == ObjectKind::Conductor;
+        const auto outline = question_.faces[c.face].outline;
+        for (std::size_t e = 0; e < outline.size(); ++e) {
+            if (e < FaceFacts::kMostEdges && (c.inside >> e & 1)) continue;
+            const Point p = outline[e], q = outline[e + 1 < outline.size() ? e + 1 : 0];
+            const bool near_horizontal =
+                std::abs(q.y - p.y) < question_.options.near_horizontal_slope * std::abs(q.x - p.x);
+            if ((conductor || near_horizontal) && meets_pixel(p, q, pixel)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace keikan
