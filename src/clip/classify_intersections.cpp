@@ -10,7 +10,9 @@ namespace keikan {
 namespace {
 
 /// The exact side of p as seen from a to b, as a number: +1 towards the clipper's interior, 0 on the line.
-std::int8_t side_of(Point a, Point b, Point p) { return static_cast<std::int8_t>(orient2d(a, b, p)); }
+std::int8_t side_of(Point a, Point b, Point p) {
+    return static_cast<std::int8_t>(orient2d(a, b, p));
+}
 
 /// Of a point known to lie on the line through u and v: is it strictly between them?
 bool strictly_between(Point u, Point p, Point v) {
@@ -19,7 +21,9 @@ bool strictly_between(Point u, Point p, Point v) {
 }
 
 /// Twice the area of a, b, p, measured from a: small where p is close to the line, whatever the origin.
-double side_value(Point a, Point b, Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+double side_value(Point a, Point b, Point p) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
 
 Turn turn_of(bool comes_from_outside, bool goes_outside) {
     if (comes_from_outside == goes_outside) return Turn::Touch;

@@ -24,7 +24,9 @@ inline DoubleDouble two_sum(double a, double b) {
 }
 
 /// a - b, exactly.
-inline DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
+inline DoubleDouble two_difference(double a, double b) {
+    return two_sum(a, -b);
+}
 
 /// a + b, exactly. Requires |a| >= |b| or a = 0.
 inline DoubleDouble quick_two_sum(double a, double b) {
@@ -55,8 +57,12 @@ inline DoubleDouble operator+(DoubleDouble x, DoubleDouble y) {
     return quick_two_sum(sum.hi, low.lo + sum.lo);
 }
 
-inline DoubleDouble operator-(DoubleDouble x) { return {-x.hi, -x.lo}; }
-inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) { return x + -y; }
+inline DoubleDouble operator-(DoubleDouble x) {
+    return {-x.hi, -x.lo};
+}
+inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) {
+    return x + -y;
+}
 
 /// x * y with a relative error of at most 6 * 2^-106 (the same source, theorem 5.1).
 inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) {

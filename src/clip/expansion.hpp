@@ -45,7 +45,7 @@ class Expansion {
     }
 
   private:
-    std::array<double, Capacity> component_;
+    std::array<double, Capacity> component_{};
     std::size_t size_ = 0;
 };
 

@@ -17,7 +17,9 @@ constexpr double kFilter = (3 + 16 * clip::kHalfUlp) * clip::kHalfUlp;
 /// No product that could underflow passes the filter.
 constexpr double kSmallestFiltered = 0x1p-960;
 
-Sign sign_of(double value) { return value > 0 ? Sign::Positive : value < 0 ? Sign::Negative : Sign::Zero; }
+Sign sign_of(double value) {
+    return value > 0 ? Sign::Positive : value < 0 ? Sign::Negative : Sign::Zero;
+}
 
 /// a b + b c + c a as cross products, summed exactly. The coordinates are first brought near 2^490 by a
 /// common power of two: their products then neither overflow nor, short of a factor 2^970, underflow.

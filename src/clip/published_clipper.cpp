@@ -14,7 +14,9 @@ enum class Region { Right, OnLine, Left };
 
 /// With respect to the direction of travel from p to q; plain double. Clockwise on the screen with y down, so
 /// the interior lies to the right and the right-hand side is where this product is positive.
-double right_of(Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); }
+double right_of(Point p, Point q, Point r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
 
 Region region(Point p, Point q, Point r) {
     const double value = right_of(p, q, r);
@@ -29,10 +31,16 @@ bool on_edge(Point p, Point q, Point r) {
     return along > 0 && along < length;
 }
 
-const Point& next(const Ring& ring, std::size_t i) { return ring[(i + 1) % ring.size()]; }
-const Point& previous(const Ring& ring, std::size_t i) { return ring[(i + ring.size() - 1) % ring.size()]; }
+const Point& next(const Ring& ring, std::size_t i) {
+    return ring[(i + 1) % ring.size()];
+}
+const Point& previous(const Ring& ring, std::size_t i) {
+    return ring[(i + ring.size() - 1) % ring.size()];
+}
 
-double area_of(const Ring& ring) { return ring.size() < 3 ? 0 : twice_signed_area(ring) / 2; }
+double area_of(const Ring& ring) {
+    return ring.size() < 3 ? 0 : twice_signed_area(ring) / 2;
+}
 
 bool inside_or_on(const Ring& convex, Point p) {
     for (std::size_t j = 0; j < convex.size(); ++j)
@@ -47,7 +55,8 @@ bool inside_or_on_any(const Ring& ring, Point p) {
         const Point a = ring[i];
         const Point b = next(ring, i);
         if (a == p || on_edge(a, b, p)) return true;
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
     }
     return inside;
 }
@@ -64,7 +73,8 @@ Point crossing_point(Point a, Point b, Point c, Point d) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
 
-/// Case (4) as printed: b lies strictly to the right of the two edges at a_i, that is, strictly inside A's corner.
+/// Case (4) as printed: b lies strictly to the right of the two edges at a_i, that is, strictly inside A's
+/// corner.
 bool inside_corner(const Ring& a, std::size_t i, Point b) {
     const bool right_of_first = region(previous(a, i), a[i], b) == Region::Right;
     const bool right_of_second = region(a[i], next(a, i), b) == Region::Right;
@@ -87,7 +97,8 @@ struct Stop {
 /// The vertices of a ring and the intersections on it, in order of travel. `on_vertex(x)` is the vertex that
 /// intersection x takes the place of, `on_edge(x)` the edge that it lies inside; one of them is negative.
 template <typename OnVertex, typename OnEdge>
-std::vector<Stop> stops_along(const Ring& ring, std::span<const Contact> found, OnVertex on_vertex, OnEdge on_edge) {
+std::vector<Stop> stops_along(const Ring& ring, std::span<const Contact> found, OnVertex on_vertex,
+                              OnEdge on_edge) {
     std::vector<Stop> stops;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         bool taken = false;
@@ -101,7 +112,9 @@ std::vector<Stop> stops_along(const Ring& ring, std::span<const Contact> found, 
         for (std::size_t x = 0; x < found.size(); ++x)
             if (on_edge(found[x]) == static_cast<long>(i)) stops.push_back({true, x, found[x].point});
         const Point origin = ring[i];
-        const auto distance = [&](const Stop& s) { return std::hypot(s.point.x - origin.x, s.point.y - origin.y); };
+        const auto distance = [&](const Stop& s) {
+            return std::hypot(s.point.x - origin.x, s.point.y - origin.y);
+        };
         std::stable_sort(stops.begin() + static_cast<std::ptrdiff_t>(first), stops.end(),
                          [&](const Stop& p, const Stop& q) { return distance(p) < distance(q); });
     }
@@ -121,7 +134,8 @@ std::vector<Contact> PublishedClipper::intersections(const Ring& a, const Ring& 
     std::vector<Contact> found;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const auto add = [&](ContactClass kind, std::size_t j, Point p) {
-            found.push_back({kind, Turn::Touch, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), p});
+            found.push_back(
+                {kind, Turn::Touch, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), p});
         };
         for (std::size_t j = 0; j < b.size(); ++j) {
             const Point b_next = next(b, j);
@@ -176,12 +190,13 @@ std::vector<Ring> PublishedClipper::search_vertices(const Ring& a, const Ring& b
     std::vector<Ring> loops;
     for (std::size_t start = 0; start < along_a.size(); ++start) {  // (1), and (3) as its loop
         if (visited[start] != 0 || along_a[start].intersection) continue;
-        if (reading_.start == PublishedReading::Start::OutsideVertex && inside_or_on(b, along_a[start].point)) continue;
+        if (reading_.start == PublishedReading::Start::OutsideVertex && inside_or_on(b, along_a[start].point))
+            continue;
         Ring loop;
         std::size_t cp = start;
         std::size_t steps = 0;
         bool on_subject = true;  // states 1 and 4 go along A; states 2 and 3 along B against its direction
-        do {  // (2)
+        do {                     // (2)
             const Stop& here = on_subject ? along_a[cp] : along_b[cp];
             loop.push_back(here.point);
             if (on_subject) {
@@ -238,22 +253,23 @@ bool PublishedClipper::clip_piece(std::vector<Piece>& pieces, std::size_t k, con
 }
 
 std::vector<double> PublishedClipper::visible_areas(std::span<const Ring> polygons) {
-    std::vector<std::vector<Piece>> pieces(polygons.size());  // n[i] is pieces[i].size()
-    for (std::size_t i = 0; i < polygons.size(); ++i) pieces[i].push_back({polygons[i], 1, 0});
+    pieces_.assign(polygons.size(), {});
+    for (std::size_t i = 0; i < polygons.size(); ++i) pieces_[i].push_back({polygons[i], 1, 0});
     for (std::size_t j = 0; j < polygons.size(); ++j) {
         if (polygons[j].size() < 3) continue;
         for (std::size_t i = j + 1; i < polygons.size(); ++i) {
             std::vector<Piece> appended;
-            for (std::size_t k = 0; k < pieces[i].size(); ++k) {
-                if (pieces[i][k].ring.empty()) continue;
-                if (clip_piece(pieces[i], k, polygons[j], appended)) break;
+            for (std::size_t k = 0; k < pieces_[i].size(); ++k) {
+                if (pieces_[i][k].ring.empty()) continue;
+                if (clip_piece(pieces_[i], k, polygons[j], appended)) break;
             }
-            for (Piece& piece : appended) pieces[i].push_back(std::move(piece));
+            for (Piece& piece : appended) pieces_[i].push_back(std::move(piece));
         }
     }
     std::vector<double> areas(polygons.size(), 0);
     for (std::size_t i = 0; i < polygons.size(); ++i)
-        for (const Piece& piece : pieces[i]) areas[i] += piece.sign * (area_of(piece.ring) - piece.to_subtract);
+        for (const Piece& piece : pieces_[i])
+            areas[i] += piece.sign * (area_of(piece.ring) - piece.to_subtract);
     return areas;
 }
 

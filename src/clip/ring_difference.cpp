@@ -69,12 +69,14 @@ void RingDifference::sort_stations() {
     stations_.clear();
     for (const std::uint32_t c : turns_) {
         const Contact& contact = contacts_[c];
-        const bool at_vertex = contact.kind == ContactClass::ClipVertex || contact.kind == ContactClass::SharedVertex;
+        const bool at_vertex =
+            contact.kind == ContactClass::ClipVertex || contact.kind == ContactClass::SharedVertex;
         const Point a = clip_[contact.clip];
         const Point b = clip_[contact.clip + 1 == m ? 0 : contact.clip + 1];
         const bool along_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
         const double along = along_x ? std::abs(contact.point.x - a.x) : std::abs(contact.point.y - a.y);
-        stations_.push_back({c, (contact.clip + m - 1) % m, at_vertex ? -1.0 : along, contact.turn == Turn::Leave});
+        stations_.push_back(
+            {c, (contact.clip + m - 1) % m, at_vertex ? -1.0 : along, contact.turn == Turn::Leave});
     }
     // A handful of stations: insertion keeps those at one place in the subject's order.
     for (std::size_t i = 1; i < stations_.size(); ++i) {
@@ -89,9 +91,10 @@ void RingDifference::sort_stations() {
     }
 }
 
-/// Puts stations of one edge whose order rounding has confused into the order in which every stretch is walked
-/// 0 or 1 times (points of one line: the sum of the walks is the same), and turns the list so that the stretch
-/// before its first station has the fewest walks. Returns that number, the whole copies of the clipper.
+/// Puts stations of one edge whose order rounding has confused into the order in which every stretch is
+/// walked 0 or 1 times (points of one line: the sum of the walks is the same), and turns the list so that the
+/// stretch before its first station has the fewest walks. Returns that number, the whole copies of the
+/// clipper.
 int RingDifference::order_by_walks() {
     int walks = classify_.winding_outside_first_edge();
     int fewest = walks;

@@ -15,7 +15,8 @@ using Rational = boost::multiprecision::cpp_rational;
 
 Sign rational_orient2d(Point a, Point b, Point c) {
     const Rational cx(c.x), cy(c.y);
-    const Rational d = (Rational(a.x) - cx) * (Rational(b.y) - cy) - (Rational(a.y) - cy) * (Rational(b.x) - cx);
+    const Rational d =
+        (Rational(a.x) - cx) * (Rational(b.y) - cy) - (Rational(a.y) - cy) * (Rational(b.x) - cx);
     return static_cast<Sign>(d.sign());
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nearer_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "expansion.hpp"
+
+namespace keikan::clip {
+namespace {
+
+/// Adds c + a px + b py, exactly: pixel indices are integers, so that no product underflows.
+template <std::size_t Capacity>
+void add_local_constant(Expansion<Capacity>& sum, PixelIndex pixel, const DepthPlane& plane, double sign) {
+    sum.add(two_product(sign * plane.a, pixel.x));
+    sum.add(two_product(sign * plane.b, pixel.y));
+    sum.add(sign * plane.c);
+}
+
+}  // namespace
+
+LocalPlane local_plane(PixelIndex pixel, const DepthPlane& plane) {
+    Expansion<5> c;
+    add_local_constant(c, pixel, plane, 1);
+    return {plane.a, plane.b, c.rounded(), plane};
+}
+
+NearnessDifference NearnessDifference::rough(const LocalPlane& first, const LocalPlane& second) {
+    NearnessDifference d;
+    d.a_.hi = first.a - second.a;
+    d.b_.hi = first.b - second.b;
+    d.c_.hi = (first.c.hi - second.c.hi) + (first.c.lo - second.c.lo);
+    // Three roundings in each coefficient, four where they are put together, all of the terms' size; and what
+    // the two constants had lost when they were rounded to two doubles.
+    d.error_ = 8 * kHalfUlp * (std::abs(d.a_.hi) + std::abs(d.b_.hi) + std::abs(d.c_.hi)) +
+               0x1p-100 * (std::abs(first.c.hi) + std::abs(second.c.hi));
+    return d;
+}
+
+NearnessDifference NearnessDifference::exact(PixelIndex pixel, const LocalPlane& first,
+                                             const LocalPlane& second) {
+    NearnessDifference d;
+    d.a_ = two_difference(first.a, second.a);
+    d.b_ = two_difference(first.b, second.b);
+    Expansion<10> c;
+    add_local_constant(c, pixel, first.image, 1);
+    add_local_constant(c, pixel, second.image, -1);
+    d.c_ = c.rounded();
+    d.error_ = 8 * kHalfUlp * (std::abs(d.a_.hi) + std::abs(d.b_.hi) + std::abs(d.c_.hi));
+    return d;
+}
+
+Bounded NearnessDifference::largest(const Box& box) const {
+    return {std::max(a_.hi * box.min_x, a_.hi * box.max_x) + std::max(b_.hi * box.min_y, b_.hi * box.max_y) +
+                c_.hi,
+            error_};
+}
+
+Bounded NearnessDifference::smallest(const Box& box) const {
+    return {std::min(a_.hi * box.min_x, a_.hi * box.max_x) + std::min(b_.hi * box.min_y, b_.hi * box.max_y) +
+                c_.hi,
+            error_};
+}
+
+double NearnessDifference::at(Point p) const {
+    const DoubleDouble x = two_product(a_.hi, p.x), y = two_product(b_.hi, p.y);
+    const DoubleDouble xy = two_sum(x.hi, y.hi), sum = two_sum(xy.hi, c_.hi);
+    const double low = (x.lo + a_.lo * p.x) + (y.lo + b_.lo * p.y) + xy.lo + c_.lo;
+    return sum.hi + (sum.lo + low);
+}
+
+double NearnessDifference::on_line() const {
+    return kHalfUlp * (std::abs(a_.hi) + std::abs(b_.hi));
+}
+
+}  // namespace keikan::clip

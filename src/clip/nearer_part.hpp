@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "double_double.hpp"
+#include "keikan/model/face.hpp"
+#include "keikan/model/pixel.hpp"
+#include "keikan/model/point.hpp"
+
+namespace keikan::clip {
+
+/// A rectangle of the pixel, pixel-local.
+struct Box {
+    double min_x = 0, min_y = 0, max_x = 1, max_y = 1;
+};
+
+/// A depth plane relative to one pixel: w = a x + b y + c in pixel-local coordinates.
+struct LocalPlane {
+    double a = 0, b = 0;
+    DoubleDouble c;    ///< c + a px + b py of `image`, summed exactly and rounded to two doubles
+    DepthPlane image;  ///< as given
+};
+
+LocalPlane local_plane(PixelIndex pixel, const DepthPlane& plane);
+
+/// A value and how far it may be from the true one.
+struct Bounded {
+    double value = 0;
+    double error = 0;
+    bool certainly_positive() const { return value > error; }
+    bool certainly_negative() const { return value < -error; }
+};
+
+/// The difference of two depth planes: positive where the first is nearer. The coefficients are subtracted
+/// before anything is evaluated, so nearly equal planes keep all their bits.
+class NearnessDifference {
+  public:
+    /// Rough: good enough to decide most pairs, with a bound that says when not.
+    static NearnessDifference rough(const LocalPlane& first, const LocalPlane& second);
+    /// Coefficients off by at most 2^-100 of themselves.
+    static NearnessDifference exact(PixelIndex pixel, const LocalPlane& first, const LocalPlane& second);
+
+    /// Equal everywhere. Only of an exact difference.
+    bool is_zero() const { return a_.hi == 0 && b_.hi == 0 && c_.hi == 0; }
+
+    /// The largest and the smallest value in a box.
+    Bounded largest(const Box& box) const;
+    Bounded smallest(const Box& box) const;
+
+    /// The value at a point, off by at most half an ulp and 2^-98 of the terms' sizes.
+    double at(Point p) const;
+
+    /// Values no larger than this belong to points within one step of the 2^-53 grid from the line.
+    double on_line() const;
+
+  private:
+    DoubleDouble a_, b_, c_;
+    double error_ = 0;
+};
+
+}  // namespace keikan::clip

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keikan/clip/visible_areas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include "convex_outline.hpp"
+#include "double_double.hpp"
+#include "nearer_part.hpp"
+#include "partition.hpp"
+
+namespace keikan {
+namespace {
+
+using clip::Box;
+using clip::ConvexOutline;
+using clip::CornerSides;
+using clip::DoubleDouble;
+using clip::Entrant;
+using clip::kHalfUlp;
+using clip::Overlap;
+using clip::Partition;
+using clip::Turning;
+
+constexpr Point kPixelRing[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+/// An interval that certainly holds w over the whole pixel.
+struct DepthRange {
+    double min = 0, max = 0;
+};
+
+DepthRange depth_range(PixelIndex pixel, const DepthPlane& plane) {
+    const double ax = plane.a * pixel.x, by = plane.b * pixel.y;
+    const double corner = plane.c + ax + by;
+    // Two products, two sums, and two more sums with the slopes below.
+    const double error =
+        8 * kHalfUlp *
+        (std::abs(plane.c) + std::abs(ax) + std::abs(by) + std::abs(plane.a) + std::abs(plane.b));
+    return {corner + std::min(plane.a, 0.0) + std::min(plane.b, 0.0) - error,
+            corner + std::max(plane.a, 0.0) + std::max(plane.b, 0.0) + error};
+}
+
+/// A face that may have area in the pixel, before it is clipped.
+struct Candidate {
+    std::uint32_t position = 0;
+    ConvexOutline outline;
+    Overlap overlap = Overlap::Nothing;
+    std::size_t sides = 0;  ///< where the sides of its edges start
+    DepthRange depth;
+};
+
+/// A sum of many numbers as if in twice the precision (Neumaier 1974).
+class CarefulSum {
+  public:
+    void add(double value) {
+        const DoubleDouble sum = clip::two_sum(sum_, value);
+        sum_ = sum.hi;
+        rest_ += sum.lo;
+    }
+    double value() const { return sum_ + rest_; }
+
+  private:
+    double sum_ = 0, rest_ = 0;
+};
+
+/// Area and first moments.
+struct Measure {
+    CarefulSum area, x, y;
+
+    /// Adds a ring, seen from its first corner: differences are exact, and the terms as small as the ring.
+    void add(std::span<const Point> ring) {
+        const Point from = ring[0];
+        double twice_area = 0, moment_x = 0, moment_y = 0;
+        double ux = ring[1].x - from.x, uy = ring[1].y - from.y;
+        for (std::size_t i = 2; i < ring.size(); ++i) {
+            const double vx = ring[i].x - from.x, vy = ring[i].y - from.y;
+            const double cross = ux * vy - uy * vx;
+            twice_area += cross;
+            moment_x += cross * (ux + vx);
+            moment_y += cross * (uy + vy);
+            ux = vx, uy = vy;
+        }
+        area.add(0.5 * twice_area);
+        x.add(0.5 * twice_area * from.x + moment_x / 6);
+        y.add(0.5 * twice_area * from.y + moment_y / 6);
+    }
+};
+
+}  // namespace
+
+struct VisibleAreas::Working {
+    PixelIndex pixel;
+    Nearness nearness = Nearness::InOrder;
+    std::vector<Candidate> candidates;
+    std::vector<CornerSides> sides;
+    std::vector<std::vector<Point>> hulls;  ///< of outlines that are not strictly convex as given
+    std::size_t hulls_used = 0;
+    std::vector<Point> ring;
+    clip::Entrants entrants;
+    Partition partition;
+    std::vector<Measure> measures;
+    std::vector<VisiblePart> parts;
+    std::vector<VisiblePiece> pieces;
+
+    void gather(std::span<const FaceView> faces);
+    void enter(std::span<const FaceView> faces);
+    void put_in_order();
+    void insert_all();
+    PixelCoverage coverage();
+
+    ConvexOutline convex(std::span<const Point> outline);
+    void measure_depth(Entrant& entrant);
+    bool before(const Entrant& p, const Entrant& q) const;
+};
+
+/// The outline if it is strictly convex as it stands, else its hull.
+ConvexOutline VisibleAreas::Working::convex(std::span<const Point> outline) {
+    const Turning turning = clip::turning(outline);
+    if (turning != Turning::NotStrictlyConvex) return {outline, turning == Turning::Negative};
+    if (hulls_used == hulls.size()) hulls.emplace_back();
+    std::vector<Point>& hull = hulls[hulls_used++];
+    hull.assign(outline.begin(), outline.end());
+    clip::replace_by_hull(hull);
+    return {hull, false};
+}
+
+/// Finds the faces that may have area in the pixel and are not hidden as a whole by one that covers it.
+void VisibleAreas::Working::gather(std::span<const FaceView> faces) {
+    candidates.clear();
+    sides.clear();
+    hulls_used = 0;
+    double hidden_below = -HUGE_VAL;  // the largest w below which a face that covers the pixel hides all
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (!clip::may_overlap(pixel, faces[i].outline)) continue;
+        Candidate candidate;
+        candidate.position = static_cast<std::uint32_t>(i);
+        candidate.outline = convex(faces[i].outline);
+        if (candidate.outline.size() < 3) continue;
+        candidate.sides = sides.size();
+        candidate.overlap = clip::overlap(pixel, candidate.outline, sides);
+        if (candidate.overlap == Overlap::Nothing) continue;
+        const bool whole = candidate.overlap == Overlap::WholePixel;
+        if (nearness == Nearness::ByDepth) {
+            candidate.depth = depth_range(pixel, faces[i].depth);
+            if (whole) hidden_below = std::max(hidden_below, candidate.depth.min);
+        }
+        candidates.push_back(candidate);
+        if (whole && nearness == Nearness::InOrder) break;
+    }
+    if (nearness == Nearness::ByDepth)
+        std::erase_if(candidates, [&](const Candidate& c) { return c.depth.max < hidden_below; });
+}
+
+void VisibleAreas::Working::measure_depth(Entrant& entrant) {
+    const clip::LocalPlane& plane = entrant.plane;
+    entrant.w_min = HUGE_VAL, entrant.w_max = -HUGE_VAL;
+    for (const Point p : entrants.ring(entrant)) {
+        const double w = plane.c.hi + (plane.a * p.x + plane.b * p.y);
+        entrant.w_min = std::min(entrant.w_min, w);
+        entrant.w_max = std::max(entrant.w_max, w);
+    }
+    entrant.w_error = 5 * kHalfUlp * (std::abs(plane.a) + std::abs(plane.b) + std::abs(plane.c.hi));
+}
+
+/// Clips the candidates to the pixel.
+void VisibleAreas::Working::enter(std::span<const FaceView> faces) {
+    entrants.clear();
+    for (const Candidate& candidate : candidates) {
+        const std::size_t n = candidate.outline.size();
+        if (candidate.overlap == Overlap::WholePixel)
+            ring.assign(std::begin(kPixelRing), std::end(kPixelRing));
+        else
+            clip::clip_to_pixel(pixel, candidate.outline, std::span(sides).subspan(candidate.sides, n), ring);
+        if (ring.empty()) continue;
+        Entrant entrant;
+        entrant.position = candidate.position;
+        entrant.id = faces[candidate.position].id;
+        entrant.ring = entrants.corners.size();
+        entrant.size = ring.size();
+        const auto [min_x, max_x] =
+            std::minmax_element(ring.begin(), ring.end(), [](Point p, Point q) { return p.x < q.x; });
+        const auto [min_y, max_y] =
+            std::minmax_element(ring.begin(), ring.end(), [](Point p, Point q) { return p.y < q.y; });
+        entrant.box = {min_x->x, min_y->y, max_x->x, max_y->y};
+        entrants.corners.insert(entrants.corners.end(), ring.begin(), ring.end());
+        if (nearness == Nearness::ByDepth) {
+            entrant.plane = clip::local_plane(pixel, faces[candidate.position].depth);
+            measure_depth(entrant);
+        }
+        entrants.faces.push_back(entrant);
+    }
+}
+
+/// An order that depends on the faces alone and not on their places in the list.
+bool VisibleAreas::Working::before(const Entrant& p, const Entrant& q) const {
+    if (p.w_max != q.w_max) return p.w_max > q.w_max;
+    if (p.id != q.id) return p.id < q.id;
+    const auto plane = [](const Entrant& e) {
+        return std::tuple(e.plane.image.a, e.plane.image.b, e.plane.image.c);
+    };
+    if (plane(p) != plane(q)) return plane(p) < plane(q);
+    const std::span<const Point> a = entrants.ring(p), b = entrants.ring(q);
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](Point u, Point v) {
+        return std::pair(u.x, u.y) < std::pair(v.x, v.y);
+    });
+}
+
+void VisibleAreas::Working::put_in_order() {
+    if (nearness == Nearness::ByDepth)
+        std::sort(entrants.faces.begin(), entrants.faces.end(),
+                  [this](const Entrant& p, const Entrant& q) { return before(p, q); });
+}
+
+void VisibleAreas::Working::insert_all() {
+    partition.begin(pixel, entrants);
+    for (std::uint32_t who = 0; who < entrants.faces.size(); ++who) {
+        if (partition.free_cells() == 0) {
+            if (nearness == Nearness::InOrder) return;
+            double hidden_below = HUGE_VAL;
+            for (std::size_t i = 0; i < partition.size(); ++i) {
+                const Entrant& owner = entrants.faces[partition.label(i)];
+                hidden_below = std::min(hidden_below, owner.w_min - owner.w_error);
+            }
+            const Entrant& next = entrants.faces[who];  // by falling w_max: those after it are no nearer
+            if (next.w_max + next.w_error < hidden_below) return;
+        }
+        partition.insert(who, nearness);
+    }
+}
+
+PixelCoverage VisibleAreas::Working::coverage() {
+    measures.assign(entrants.faces.size(), {});
+    Measure free;
+    for (std::size_t i = 0; i < partition.size(); ++i)
+        (partition.label(i) == Partition::kFree ? free : measures[partition.label(i)]).add(partition.ring(i));
+    parts.clear();
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+        const double area = std::min(measures[i].area.value(), 1.0);
+        if (!(area > 0)) continue;
+        const Entrant& face = entrants.faces[i];
+        const Point centroid{std::clamp(measures[i].x.value() / area, face.box.min_x, face.box.max_x),
+                             std::clamp(measures[i].y.value() / area, face.box.min_y, face.box.max_y)};
+        parts.push_back({face.position, area, centroid});
+    }
+    std::sort(parts.begin(), parts.end(),
+              [](const VisiblePart& p, const VisiblePart& q) { return p.face < q.face; });
+    return {parts, std::clamp(free.area.value(), 0.0, 1.0)};
+}
+
+VisibleAreas::VisibleAreas() : working_(std::make_unique<Working>()) {}
+VisibleAreas::~VisibleAreas() = default;
+VisibleAreas::VisibleAreas(VisibleAreas&&) noexcept = default;
+VisibleAreas& VisibleAreas::operator=(VisibleAreas&&) noexcept = default;
+
+PixelCoverage VisibleAreas::operator()(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness) {
+    Working& work = *working_;
+    work.pixel = pixel;
+    work.nearness = nearness;
+    work.gather(faces);
+    work.enter(faces);
+    work.put_in_order();
+    work.insert_all();
+    return work.coverage();
+}
+
+std::span<const VisiblePiece> VisibleAreas::pieces() {
+    Working& work = *working_;
+    work.pieces.clear();
+    for (std::size_t i = 0; i < work.partition.size(); ++i) {
+        const std::uint32_t label = work.partition.label(i);
+        const bool free = label == Partition::kFree;
+        work.pieces.push_back(
+            {free ? VisiblePiece::kBackground : work.entrants.faces[label].position, work.partition.ring(i)});
+    }
+    return work.pieces;
+}
+
+}  // namespace keikan
