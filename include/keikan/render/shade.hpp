@@ -17,6 +17,24 @@ struct ExtraImages {
 /// Colours the rows of `band` in `image` (linear light): Phong reflection at the centroid of each visible part,
 /// area-weighted mean where a pixel is divided. Uses of `scene` the camera, light, background, haze and
 /// materials only. Bands touch different rows, so they may be shaded side by side.
+///
+/// A pixel that shows one face only is shaded at its centre, and so is the background's share of a divided
+/// pixel. With the unit normal n of the face there, towards the viewer, l = light.to_sun, r = 2 (n.l) n - l,
+/// v the unit vector to the eye, d the distance from the eye:
+///   ambient = ground_ambient + (1 + n.z) / 2 (sky_ambient - ground_ambient)
+///   phong   = ambient albedo + sun (diffuse albedo max(0, n.l) + specular max(0, r.v)^exponent)
+///             (no specular term where n.l <= 0)
+///   colour  = phong + (1 - exp(-d / range_m)) (haze.colour - phong)
+/// The albedo of a material with a ramp follows the height of the point, and blends to `steep` linearly in
+/// the slope angle of the face's plane. The background's colour goes from `horizon` (at and below the
+/// horizon) to `zenith` linearly in the sine of the view direction's elevation.
+///
+/// The largest part of a divided pixel, in ExtraImages, is the background's where that is larger than each
+/// face's; of parts of equal size it is the one that stands first.
+///
+/// Properties:
+///   (1) A pixel's colour follows from the band and the scene alone, bit for bit: not from other bands,
+///       other pixels or the number of threads.
 /// Errors: CheckFailure where a band refers to a material that the scene does not have.
 /// Paper:  section 2 (rendering), 3.1 step (6).
 void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra = nullptr);

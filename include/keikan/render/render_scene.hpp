@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <functional>
+
+#include "keikan/image/image.hpp"
+#include "keikan/render/shade.hpp"
+#include "keikan/scan/scan_file.hpp"
+#include "keikan/scan/scan_scene.hpp"
+#include "keikan/scene/scene.hpp"
+
+namespace keikan {
+
+struct RenderOptions {
+    ScanOptions scan;
+    bool extra = false;                              ///< make all of ExtraImages
+    std::function<void(int rows)> after_rows = {};   ///< told, from any thread, how many more rows are painted
+};
+
+struct RenderedPicture {
+    Image<Rgb> image;  ///< linear light
+    ExtraImages extra;
+    ScanStatistics scan;        ///< of render_scene
+    double seconds_shade = 0;   ///< of render_scene: shading alone, summed over the bands
+};
+
+/// The whole picture: scans the faces and shades each band as it comes.
+/// Paper: section 2, Fig. 1.
+RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const RenderOptions& options = {});
+
+/// The same picture from a scan file, with the colours, materials and lights of `scene`; no faces are built.
+///
+/// Property: (1) The same bits as render_scene with the options that the file was scanned with.
+/// Errors: InputError naming the file, where it was made from another geometry, camera or size than the
+///         scene's, or is damaged.
+RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& scene,
+                                const RenderOptions& options = {});
+
+}  // namespace keikan

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+namespace CLI {
+class App;
+}
+
+namespace keikan {
+
+/// Options that every command takes.
+struct CommonOptions {
+    int threads = 0;  ///< 0: all of the machine
+    std::uint64_t seed = 1;
+    bool quiet = false;
+};
+
+// Each adds its command to the program; parsing the command line then runs it. `common` must outlive that.
+void add_render_command(CLI::App& app, const CommonOptions& common);
+void add_scan_command(CLI::App& app, const CommonOptions& common);
+void add_shade_command(CLI::App& app, const CommonOptions& common);
+void add_areas_command(CLI::App& app, const CommonOptions& common);
+void add_pixel_command(CLI::App& app, const CommonOptions& common);
+void add_info_command(CLI::App& app, const CommonOptions& common);
+
+}  // namespace keikan

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// keikan: landscapes without aliasing. The picture's way, as in the paper's Fig. 1, is a command each:
+//
+//   scan     scene -> faces -> scan file     scan_command.cpp
+//   shade    scan file, colours -> picture   shade_command.cpp
+//   render   both at once                    render_command.cpp
+//
+// and beside it: areas (visible areas of single pixels), pixel (one pixel of a scene as such a question),
+// info (what is in a scene).
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "commands.hpp"
+#include "keikan/support/check.hpp"
+#include "keikan/support/input_error.hpp"
+
+namespace {
+
+constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2;
+
+void describe_program(CLI::App& app, keikan::CommonOptions& common) {
+    app.set_version_flag("--version", "keikan " KEIKAN_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();  // --threads and its like may stand after the command
+    app.add_option("--threads", common.threads, "Threads to use (default: all of the machine)")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--seed", common.seed, "For whatever draws random numbers")->capture_default_str();
+    app.add_flag("--quiet", common.quiet, "No messages and no progress bar");
+    keikan::add_render_command(app, common);
+    keikan::add_scan_command(app, common);
+    keikan::add_shade_command(app, common);
+    keikan::add_areas_command(app, common);
+    keikan::add_pixel_command(app, common);
+    keikan::add_info_command(app, common);
+}
+
+int told(int exit_code, const char* what) {
+    std::fprintf(stderr, "keikan: %s\n", what);
+    return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Landscapes without aliasing, every pixel proven");
+    keikan::CommonOptions common;
+    try {
+        describe_program(app, common);
+        app.parse(argc, argv);  // runs the command
+        return kDone;
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
+    } catch (const CLI::ParseError& wrong_usage) {
+        return told(kBadInput, wrong_usage.what());
+    } catch (const keikan::InputError& bad_input) {
+        return told(kBadInput, bad_input.what());
+    } catch (const keikan::CheckFailure& mistake) {
+        return told(kCheckFailed, mistake.what());
+    } catch (const std::exception& mistake) {
+        return told(kCheckFailed, mistake.what());
+    }
+}

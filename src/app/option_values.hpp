@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+#include <string>
+
+#include "keikan/model/pixel.hpp"
+#include "keikan/scan/scan_scene.hpp"
+
+namespace keikan {
+
+/// "1000x650" as columns and rows; nothing for an empty text (the scene decides).
+/// Errors: InputError where it is not of that form, or holds no pixel or more than 2^28.
+std::optional<ImageSize> picture_size(const std::string& text);
+
+/// "412,77" as a pixel of a picture of this size. Errors: InputError.
+PixelIndex pixel_of(const std::string& text, ImageSize size);
+
+/// "outline" or "paper". Errors: InputError.
+Extraction extraction_of(const std::string& text);
+
+/// Refuses what is not built: engines other than "splitting", methods other than "kato". Errors: InputError.
+void require_engine(const std::string& engine);
+void require_method(const std::string& method);
+
+}  // namespace keikan

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "commands.hpp"
+#include "keikan/support/parallel.hpp"
+#include "keikan/support/progress.hpp"
+#include "option_values.hpp"
+#include "output_picture.hpp"
+#include "run_statistics.hpp"
+
+namespace keikan {
+
+namespace {
+
+struct RenderCommand {
+    std::string scene, size, method = "kato", extract = "outline", engine = "splitting", stats;
+    OutputOptions output;
+};
+
+void render(const RenderCommand& command, const CommonOptions& common) {
+    require_method(command.method);
+    require_engine(command.engine);
+    require_writable(command.output);
+    const ThreadLimit threads(common.threads);
+    StageClock clock;
+
+    const Scene scene = read_scene(command.scene, picture_size(command.size));
+    clock.ended("read");
+    const Geometry geometry = build_geometry(scene);
+    clock.ended("build");
+    Progress progress("rendering", static_cast<std::size_t>(scene.camera.size.height), !common.quiet);
+    RenderOptions options;
+    options.scan.extraction = extraction_of(command.extract);
+    options.extra = command.output.aov;
+    options.after_rows = [&](int rows) { progress.advance(static_cast<std::size_t>(rows)); };
+    RenderedPicture picture = render_scene(scene, geometry, options);
+    clock.ended("render");
+    clock.note("render.project", picture.scan.seconds_project);
+    clock.note("render.bin", picture.scan.seconds_bin);
+    clock.note("render.divide", picture.scan.seconds_divide);
+    clock.note("render.shade", picture.seconds_shade);
+    const ScanStatistics scan = picture.scan;
+    write_picture(command.output, scene, std::move(picture));
+    clock.ended("write");
+
+    write_statistics(command.stats, "render", scene.camera.size, clock, &scan);
+    tell_done(common.quiet, command.output.image, scene.camera.size, clock);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, const CommonOptions& common) {
+    auto* const sub = app.add_subcommand("render", "Scan and shade: from a scene to a picture");
+    const auto command = std::make_shared<RenderCommand>();
+    sub->add_option("SCENE", command->scene, "Scene file (docs/scene.md)")->required();
+    sub->add_option("-o,--output", command->output.image, "Picture: .png, .exr, or - for PNG on standard output")
+        ->required();
+    sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
+    sub->add_option("--method", command->method, "Anti-aliasing: kato")->capture_default_str();
+    sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
+        ->capture_default_str();
+    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
+    sub->add_flag("--aov", command->output.aov, "Also background, object_id, depth, flags in the .exr");
+    sub->add_option("--stats", command->stats, "Write seconds per stage and counts as JSON");
+    sub->callback([command, &common] { render(*command, common); });
+}
+
+}  // namespace keikan

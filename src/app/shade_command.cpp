@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "commands.hpp"
+#include "keikan/support/parallel.hpp"
+#include "keikan/support/progress.hpp"
+#include "output_picture.hpp"
+#include "run_statistics.hpp"
+
+namespace keikan {
+
+namespace {
+
+struct ShadeCommand {
+    std::string scan, scene, stats;
+    OutputOptions output;
+};
+
+void shade(const ShadeCommand& command, const CommonOptions& common) {
+    require_writable(command.output);
+    const ThreadLimit threads(common.threads);
+    StageClock clock;
+
+    // The scan decides the size: a scene scanned with --size is shaded without repeating it.
+    const ImageSize size = ScanFileReader(command.scan).header().size;
+    const Scene scene = read_scene(command.scene, size);
+    clock.ended("read");
+    Progress progress("shading", static_cast<std::size_t>(size.height), !common.quiet);
+    RenderOptions options;
+    options.extra = command.output.aov;
+    options.after_rows = [&](int rows) { progress.advance(static_cast<std::size_t>(rows)); };
+    RenderedPicture picture = shade_scan_file(command.scan, scene, options);
+    clock.ended("shade");
+    write_picture(command.output, scene, std::move(picture));
+    clock.ended("write");
+
+    write_statistics(command.stats, "shade", size, clock, nullptr);
+    tell_done(common.quiet, command.output.image, size, clock);
+}
+
+}  // namespace
+
+void add_shade_command(CLI::App& app, const CommonOptions& common) {
+    auto* const sub = app.add_subcommand("shade", "The paper's second process: from a scan file to a picture");
+    const auto command = std::make_shared<ShadeCommand>();
+    sub->add_option("SCAN", command->scan, "Scan file, made by keikan scan")->required();
+    sub->add_option("SCENE", command->scene, "Scene file, for its colours, materials and lights")->required();
+    sub->add_option("-o,--output", command->output.image, "Picture: .png, .exr, or - for PNG on standard output")
+        ->required();
+    sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
+    sub->add_flag("--aov", command->output.aov, "Also background, object_id, depth, flags in the .exr");
+    sub->add_option("--stats", command->stats, "Write seconds per stage as JSON");
+    sub->callback([command, &common] { shade(*command, common); });
+}
+
+}  // namespace keikan

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keikan/render/render_scene.hpp"
+
+#include <chrono>
+#include <string>
+
+#include "keikan/scan/projected_faces.hpp"
+#include "keikan/support/input_error.hpp"
+#include "keikan/support/parallel.hpp"
+
+namespace keikan {
+
+namespace {
+
+RenderedPicture empty_picture(ImageSize size, bool extra) {
+    RenderedPicture picture;
+    picture.image = Image<Rgb>(size);
+    if (extra) picture.extra = {Image<float>(size), Image<float>(size), Image<float>(size), Image<float>(size)};
+    return picture;
+}
+
+void paint(const ScanBand& band, const Scene& scene, const RenderOptions& options, RenderedPicture& picture) {
+    shade_band(band, scene, picture.image, options.extra ? &picture.extra : nullptr);
+    if (options.after_rows) options.after_rows(band.rows);
+}
+
+std::string text_of(ImageSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
+/// The scan must be of this scene; its extraction is what it was scanned with.
+void require_same_geometry(const ScanHeader& header, const Scene& scene, const std::string& file) {
+    if (header.size != scene.camera.size)
+        throw InputError(file, "", "was scanned at " + text_of(header.size) + ", the scene is " +
+                                       text_of(scene.camera.size));
+    if (header.geometry_hash != scene.geometry_hash)
+        throw InputError(file, "", "was scanned from another geometry or camera than " + scene.file.string());
+}
+
+}  // namespace
+
+RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const RenderOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    const auto started = Clock::now();
+    RenderedPicture picture = empty_picture(scene.camera.size, options.extra);
+    const ProjectedFaces faces = project_faces(geometry, scene.camera);
+    const double seconds_project = std::chrono::duration<double>(Clock::now() - started).count();
+    picture.scan = scan_faces(faces, geometry, scene.camera, options.scan, [&](const ScanBand& band) {
+        const auto begin = Clock::now();
+        paint(band, scene, options, picture);
+        picture.seconds_shade += std::chrono::duration<double>(Clock::now() - begin).count();
+    });
+    picture.scan.seconds_project += seconds_project;
+    return picture;
+}
+
+RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& scene, const RenderOptions& options) {
+    const ScanFileReader scan(file);
+    require_same_geometry(scan.header(), scene, file.string());
+    RenderedPicture picture = empty_picture(scene.camera.size, options.extra);
+    parallel_for(scan.band_count(), [&](std::size_t i) { paint(scan.band(i), scene, options, picture); });
+    return picture;
+}
+
+}  // namespace keikan

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keikan/render/shade.hpp"
+
+#include "keikan/support/check.hpp"
+#include "point_shader.hpp"
+
+namespace keikan {
+
+namespace {
+
+/// A weighted mean of colours, summed in double so that it is rounded once.
+class MeanColour {
+  public:
+    void add(double weight, Rgb colour) {
+        r_ += weight * static_cast<double>(colour.r);
+        g_ += weight * static_cast<double>(colour.g);
+        b_ += weight * static_cast<double>(colour.b);
+    }
+    Rgb colour() const { return {static_cast<float>(r_), static_cast<float>(g_), static_cast<float>(b_)}; }
+
+  private:
+    double r_ = 0, g_ = 0, b_ = 0;
+};
+
+/// Shades one row; a row has one writer.
+class RowPainter {
+  public:
+    RowPainter(const ScanBand& band, const PointShader& shader, Image<Rgb>& image, ExtraImages* extra, int y)
+        : band_(band), shader_(shader), colours_(image.row(y)), extra_(extra), y_(y) {}
+
+    void paint(const Span& span) {
+        const bool empty = span.face == Span::kBackground;
+        const double centre_y = y_ + 0.5;
+        for (int x = span.x_begin; x < span.x_end; ++x) {
+            colours_[static_cast<std::size_t>(x)] =
+                empty ? shader_.background_colour(x + 0.5, centre_y)
+                      : shader_.face_colour(band_.faces[span.face], x + 0.5, centre_y);
+        }
+        if (extra_ == nullptr) return;
+        for (int x = span.x_begin; x < span.x_end; ++x) {
+            if (empty) {
+                note(x, 1, nullptr, 0.5, 0.5, 0);
+            } else {
+                note(x, 0, &band_.faces[span.face], 0.5, 0.5, 0);
+            }
+        }
+    }
+
+    void paint(const DividedPixel& pixel) {
+        MeanColour mean;
+        if (pixel.background > 0)
+            mean.add(pixel.background, shader_.background_colour(pixel.x + 0.5, y_ + 0.5));
+        const SeenPart* largest = nullptr;
+        for (std::uint32_t i = pixel.part_begin; i < pixel.part_end; ++i) {
+            const SeenPart& part = band_.parts[i];
+            mean.add(part.weight, shader_.face_colour(band_.faces[part.face], pixel.x + static_cast<double>(part.x),
+                                                      y_ + static_cast<double>(part.y)));
+            if (part.weight > (largest != nullptr ? largest->weight : 0)) largest = &part;
+        }
+        colours_[static_cast<std::size_t>(pixel.x)] = mean.colour();
+        if (extra_ == nullptr) return;
+        const float flag = pixel.division == Division::ExactAreas ? 1 : 2;
+        if (largest == nullptr || pixel.background > largest->weight) {
+            note(pixel.x, pixel.background, nullptr, 0.5, 0.5, flag);
+        } else {
+            note(pixel.x, pixel.background, &band_.faces[largest->face], largest->x, largest->y, flag);
+        }
+    }
+
+  private:
+    /// Fills in those of the extra images that are wanted; `face` shows the most, none: the background does.
+    void note(int x, double background, const SeenFace* face, double local_x, double local_y, float flag) {
+        const PixelIndex at{x, y_};
+        const auto set = [&](Image<float>& image, float value) {
+            if (image.width() > 0) image[at] = value;
+        };
+        set(extra_->background, static_cast<float>(background));
+        set(extra_->object_id, face != nullptr ? static_cast<float>(1 + face->object) : 0);
+        set(extra_->depth, face != nullptr ? static_cast<float>(shader_.depth(*face, x + local_x, y_ + local_y)) : 0);
+        set(extra_->flags, flag);
+    }
+
+    const ScanBand& band_;
+    const PointShader& shader_;
+    std::span<Rgb> colours_;
+    ExtraImages* extra_;
+    int y_;
+};
+
+}  // namespace
+
+void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra) {
+    for (const SeenFace& face : band.faces)
+        KEIKAN_CHECK(face.material < scene.materials.size(), "face " << face.id << " has no material");
+    const PointShader shader(scene);
+    for (int row = 0; row < band.rows; ++row) {
+        const auto r = static_cast<std::size_t>(row);
+        RowPainter painter(band, shader, image, extra, band.first_row + row);
+        for (std::uint32_t i = band.span_begin[r]; i < band.span_begin[r + 1]; ++i) painter.paint(band.spans[i]);
+        for (std::uint32_t i = band.divided_begin[r]; i < band.divided_begin[r + 1]; ++i)
+            painter.paint(band.divided[i]);
+    }
+}
+
+}  // namespace keikan
