@@ -30,7 +30,7 @@ glm::dvec3 read_point(JsonObject& object, const char* key, const char* height_ke
     }
     const glm::dvec2 place = point.pair();
     const auto ground_height = ground(place.x, place.y);
-    if (!ground_height) point.fail(fmt::format("\"{}\" needs a terrain at this place", height_key));
+    if (!ground_height) point.fail(fmt::format("lies beside the terrain, which \"{}\" counts from", height_key));
     return {place, *ground_height + height->number()};
 }
 

@@ -18,8 +18,8 @@ glm::dvec2 read_place(const JsonNode& node) {
     return {node.item(0).number(range), node.item(1).number(range)};
 }
 
-std::vector<glm::dvec2> read_outline(const JsonNode& node) {
-    std::vector<glm::dvec2> outline(node.array_size(3, 100'000));
+std::vector<glm::dvec2> read_outline(const JsonNode& node) {  // simple or not shows while building: that takes time
+    std::vector<glm::dvec2> outline(node.array_size(3, 10'000));
     for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = read_place(node.item(i));
     return outline;
 }

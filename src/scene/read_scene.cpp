@@ -10,9 +10,9 @@ namespace {
 
 constexpr ImageSize kDefaultSize{1000, 650};
 
-/// Heights of the scene's terrain; its grid is read when the first height is asked for.
+/// Heights of the scene's terrain, whose grid is read when the first height is asked for; 0 without one.
 TerrainHeight height_on_demand(const std::optional<TerrainBlock>& terrain, const std::string& file) {
-    if (!terrain) return [](double, double) { return std::optional<double>(); };
+    if (!terrain) return [](double, double) { return std::optional<double>(0); };
     return [&terrain, file, grid = std::optional<HeightGrid>()](double x, double y) mutable {
         if (!grid) grid = read_terrain_grid(*terrain, file);
         return height_at(*grid, x, y);
