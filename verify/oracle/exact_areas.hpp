@@ -44,6 +44,8 @@ class CertifiedSplitting {
   public:
     CertifiedSplitting();
     ~CertifiedSplitting();
+    CertifiedSplitting(const CertifiedSplitting&) = delete;
+    CertifiedSplitting& operator=(const CertifiedSplitting&) = delete;
     CertifiedAreas operator()(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
   private:
