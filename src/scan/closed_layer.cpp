@@ -40,12 +40,18 @@ Moments moments_in_pixel(std::span<const Point> outline, int turn, PixelIndex pi
     return sum;
 }
 
+/// Whether the edge's bounding box, and with it the edge, misses the pixel's interior; exact.
+bool box_misses(Point p, Point q, PixelIndex pixel) {
+    return std::max(p.x, q.x) <= pixel.x || std::min(p.x, q.x) >= pixel.x + 1 || std::max(p.y, q.y) <= pixel.y ||
+           std::min(p.y, q.y) >= pixel.y + 1;
+}
+
 }  // namespace
 
-/// Collects what is connected with `start` through shared edges. An edge on whose inner side the pixel lies
-/// wholly cannot meet the pixel's interior, and needs no neighbour. A neighbour that is no candidate does not
-/// meet the pixel, so neither does the edge.
-bool ClosedLayer::grow(const ProjectedFaces& faces, const FaceNeighbours& neighbours,
+/// Collects what is connected with `start` through shared edges. An edge needs no neighbour when it cannot
+/// meet the pixel's interior: the pixel lies wholly on its inner side, or the edge beside the pixel. (With the
+/// outer side, which no candidate has, these are all the ways in which a segment and a square can be apart.)
+bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const FaceNeighbours& neighbours,
                        std::span<const Candidate> candidates, std::size_t start) {
     members_.assign(1, static_cast<std::uint32_t>(start));
     is_member_.assign(candidates.size(), 0);
@@ -55,17 +61,19 @@ bool ClosedLayer::grow(const ProjectedFaces& faces, const FaceNeighbours& neighb
         const Candidate& member = candidates[members_[m]];
         const std::uint32_t begin = faces.begin[member.face];
         const std::uint32_t edges = faces.begin[member.face + 1] - begin;
+        const Point* const corner = faces.points.data() + begin;
         for (std::uint32_t e = 0; e < edges; ++e) {
             if (e < FaceFacts::kMostEdges && (member.inside >> e & 1)) continue;
+            if (box_misses(corner[e], corner[e + 1 < edges ? e + 1 : 0], pixel)) continue;
             const std::uint32_t across = neighbours.across[begin + e];
-            if (across == FaceNeighbours::kOpen) {
+            const std::size_t next =
+                across == FaceNeighbours::kOpen ? candidates.size() : position_of(across, candidates);
+            if (next == candidates.size()) {
                 closed = false;
-                continue;
+            } else if (!is_member_[next]) {
+                is_member_[next] = 1;
+                members_.push_back(static_cast<std::uint32_t>(next));
             }
-            const std::size_t next = position_of(across, candidates);
-            if (next == candidates.size() || is_member_[next]) continue;
-            is_member_[next] = 1;
-            members_.push_back(static_cast<std::uint32_t>(next));
         }
     }
     return closed;
@@ -74,7 +82,7 @@ bool ClosedLayer::grow(const ProjectedFaces& faces, const FaceNeighbours& neighb
 bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
                        const FaceNeighbours& neighbours, std::span<const Candidate> candidates,
                        std::size_t start) {
-    if (!grow(faces, neighbours, candidates, start)) return false;
+    if (!grow(pixel, faces, neighbours, candidates, start)) return false;
     std::sort(members_.begin(), members_.end());
     parts_.clear();
     double area = 0;

@@ -20,8 +20,8 @@ namespace keikan {
 /// told from the next whole number.
 class ClosedLayer {
   public:
-    /// Looks for a closed set that holds `candidates[start]` and tiles the pixel. Requires: no candidate has
-    /// been left out, so the pixel is not covered.
+    /// Looks for a closed set that holds `candidates[start]` and tiles the pixel. Faces that meet the pixel and
+    /// are no candidates may be missing: a set that needs them is not closed.
     bool find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
               const FaceNeighbours& neighbours, std::span<const Candidate> candidates, std::size_t start);
 
@@ -36,7 +36,7 @@ class ClosedLayer {
     bool reached(std::size_t candidate) const { return is_member_[candidate] != 0; }
 
   private:
-    bool grow(const ProjectedFaces& faces, const FaceNeighbours& neighbours,
+    bool grow(PixelIndex pixel, const ProjectedFaces& faces, const FaceNeighbours& neighbours,
               std::span<const Candidate> candidates, std::size_t start);
 
     std::vector<std::uint32_t> members_;

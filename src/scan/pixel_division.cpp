@@ -25,22 +25,20 @@ bool meets_pixel(Point p, Point q, PixelIndex pixel) {
 
 }  // namespace
 
-DividedView PixelDivision::operator()(PixelIndex pixel, std::span<const Candidate> candidates,
-                                      bool covered) {
+DividedView PixelDivision::operator()(PixelIndex pixel, std::span<const Candidate> candidates) {
     if (question_.options.extraction == Extraction::Paper && !flagged(pixel, candidates))
         return by_scanline(pixel, candidates);
-    return by_exact_areas(pixel, candidates, covered);
+    return by_exact_areas(pixel, candidates);
 }
 
-DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates,
-                                          bool covered) {
+DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates) {
     // A layer that tiles the pixel hides what lies wholly behind it. If nothing else is left, its faces'
     // areas are the answer; otherwise it has at least shortened the question. The nearest face's layer is
     // the likeliest; after it, the layers of what it has not reached.
     double hidden_below = -std::numeric_limits<double>::infinity();
     constexpr int kAttempts = 3;
     double tried_below = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < kAttempts && !covered; ++attempt) {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
         std::size_t start = candidates.size();
         for (std::size_t i = 0; i < candidates.size(); ++i)
             if (candidates[i].w_max < tried_below &&

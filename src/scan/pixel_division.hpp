@@ -33,11 +33,10 @@ class PixelDivision {
   public:
     explicit PixelDivision(const ScanQuestion& question) : question_(question) {}
 
-    /// `covered`: one of the candidates covers the pixel wholly, and hidden ones have been left out.
-    DividedView operator()(PixelIndex pixel, std::span<const Candidate> candidates, bool covered);
+    DividedView operator()(PixelIndex pixel, std::span<const Candidate> candidates);
 
   private:
-    DividedView by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates, bool covered);
+    DividedView by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates);
     DividedView by_visible_areas(PixelIndex pixel);
     DividedView by_scanline(PixelIndex pixel, std::span<const Candidate> candidates);
     /// Paper 2.1: an outline of a conductor, or a near-horizontal edge of anything else, meets the pixel.

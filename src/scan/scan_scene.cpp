@@ -56,16 +56,15 @@ class BandScan {
         candidates_.look(question_.faces, question_.facts, tile, x, tile_row * kTileSize, columns, rows);
         for (int row = 0; row < rows; ++row)
             for (int i = 0; i < columns; ++i)
-                scan_pixel({x + i, tile_row * kTileSize + row}, row, candidates_.at(row, i),
-                           candidates_.covered(row, i));
+                scan_pixel({x + i, tile_row * kTileSize + row}, row, candidates_.at(row, i));
     }
 
-    void scan_pixel(PixelIndex pixel, int row, std::span<const Candidate> candidates, bool covered) {
+    void scan_pixel(PixelIndex pixel, int row, std::span<const Candidate> candidates) {
         if (candidates.empty())
             return builder_.add_span(row, pixel.x, pixel.x + 1, BandBuilder::kBackground);
         if (candidates.size() == 1 && candidates[0].covers)
             return builder_.add_span(row, pixel.x, pixel.x + 1, candidates[0].face);
-        const DividedView divided = division_(pixel, candidates, covered);
+        const DividedView divided = division_(pixel, candidates);
         if (divided.parts.empty())
             return builder_.add_span(row, pixel.x, pixel.x + 1, BandBuilder::kBackground);
         if (divided.parts.size() == 1 && shows_it_wholly(divided))

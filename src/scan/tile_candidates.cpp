@@ -124,8 +124,6 @@ void TileCandidates::keep_what_may_be_seen() {
     std::copy(begin_.begin(), begin_.end() - 1, place.begin());
     for (const Candidate& c : found_)
         if (!hidden(c)) kept_[place[c.pixel]++] = c;
-    for (std::size_t p = 0; p < kPixels; ++p)
-        covered_[p] = nearest_cover_[p] != -std::numeric_limits<double>::infinity();
 }
 
 void TileCandidates::look(const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,

@@ -35,10 +35,6 @@ class TileCandidates {
         const auto p = static_cast<std::size_t>(row * kTileSize + column);
         return std::span(kept_).subspan(begin_[p], begin_[p + 1] - begin_[p]);
     }
-    /// Whether some face covers the pixel; then, unlike elsewhere, hidden faces have been left out.
-    bool covered(int row, int column) const {
-        return covered_[static_cast<std::size_t>(row * kTileSize + column)];
-    }
 
   private:
     void look_at_convex(const FaceView& face, const FaceFacts& facts, std::uint32_t index);
@@ -52,7 +48,6 @@ class TileCandidates {
     std::vector<Candidate> kept_;
     std::array<std::uint32_t, kPixels + 1> begin_{};
     std::array<double, kPixels> nearest_cover_{};
-    std::array<bool, kPixels> covered_{};
 };
 
 }  // namespace keikan
