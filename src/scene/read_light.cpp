@@ -157,13 +157,12 @@ Haze read_haze(const JsonNode& node) {
 }
 
 std::vector<Material> read_materials(const JsonNode& node) {
-    const JsonObject object(node);
+    JsonObject object(node);
     std::vector<Material> materials;
     if (node.value().size() > 65535) node.fail("must have at most 65535 materials");
     for (const auto& entry : node.value().items()) {  // nlohmann's objects are sorted by key
         if (entry.key().empty()) node.fail("a material needs a name");
-        materials.push_back(
-            read_material(entry.key(), JsonNode(entry.value(), node.file(), node.path() + "/" + entry.key())));
+        materials.push_back(read_material(entry.key(), object.required(entry.key())));
     }
     return materials;
 }
