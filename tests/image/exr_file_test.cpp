@@ -8,7 +8,7 @@
 #include "keikan/support/atomic_file.hpp"
 #include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 
 using namespace keikan;
 

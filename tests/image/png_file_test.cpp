@@ -11,7 +11,7 @@
 #include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 
 using namespace keikan;
 
