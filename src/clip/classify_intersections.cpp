@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "convex_outline.hpp"
 #include "keikan/clip/orient2d.hpp"
 
 namespace keikan {
@@ -169,7 +170,7 @@ Point IntersectionClassifier::crossing(std::size_t vertex, std::size_t edge) con
     const double share = s == 0 && t == 0 ? 0.5 : s / (s + t);  // both vanish only by underflow
     const Point p{u.x + share * (v.x - u.x), u.y + share * (v.y - u.y)};
     if (lattice_ == Lattice::Doubles) return p;
-    return {(p.x + 1.5) - 1.5, (p.y + 1.5) - 1.5};
+    return {clip::snap(p.x), clip::snap(p.y)};
 }
 
 /// Counts signed crossings of `subject` with the ray that runs along clipper edge 0, shifted outwards by less

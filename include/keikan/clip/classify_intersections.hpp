@@ -35,7 +35,7 @@ class IntersectionClassifier {
     /// Where EdgeEdge points are rounded to.
     enum class Lattice {
         Doubles,  ///< the nearest doubles
-        Pixel,    ///< multiples of 2^-52: for pixel-local coordinates, on which orient2d is cheapest
+        Pixel,    ///< multiples of 2^-53: for pixel-local coordinates, on which orient2d is cheapest
     };
     explicit IntersectionClassifier(Lattice lattice = Lattice::Doubles) : lattice_(lattice) {}
 

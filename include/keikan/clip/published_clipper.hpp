@@ -68,12 +68,16 @@ class PublishedClipper {
     /// The pieces of A outside B (3.2.2).
     std::vector<Ring> search_vertices(const Ring& a, const Ring& b, std::span<const Contact> intersections);
 
+    /// The pieces of polygon i in the last visible_areas; an empty ring is one that a later polygon hid wholly.
+    std::span<const Piece> pieces_of(std::size_t i) const { return pieces_[i]; }
+
     const PublishedTroubles& troubles() const { return troubles_; }
 
   private:
     bool clip_piece(std::vector<Piece>& pieces, std::size_t k, const Ring& b, std::vector<Piece>& appended);
 
     PublishedReading reading_;
+    std::vector<std::vector<Piece>> pieces_;  ///< of polygon i; n[i] of Fig. 3 is pieces_[i].size()
     PublishedTroubles troubles_;
 };
 

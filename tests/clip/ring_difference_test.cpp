@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "keikan/clip/ring_difference.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "grid_polygons.hpp"
+#include "keikan/clip/published_clipper.hpp"
+
+using namespace keikan;
+using namespace keikan::test;
+
+namespace {
+
+/// Of coordinates up to 3: a few crossing points, each off by kCrossingError times an extent of 3, along
+/// edges that are no longer than 3 sqrt 2.
+constexpr double kGridAreaError = 10 * 3 * 4.3 * kCrossingError;
+
+double area_of(const SignedRings& rings) {
+    double sum = 0;
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        sum += rings.sign(i) * twice_signed_area(rings.ring(i)) / 2;
+    return sum;
+}
+
+SignedRings difference(const Ring& subject, const Ring& clip) {
+    RingDifference subtract(IntersectionClassifier::Lattice::Doubles);
+    SignedRings rest;
+    subtract(subject, 1, clip, rest);
+    return rest;
+}
+
+SignedRings difference(const SignedRings& subject, const Ring& clip) {
+    RingDifference subtract(IntersectionClassifier::Lattice::Doubles);
+    SignedRings rest;
+    for (std::size_t i = 0; i < subject.size(); ++i) subtract(subject.ring(i), subject.sign(i), clip, rest);
+    return rest;
+}
+
+Ring reversed(Ring ring) {
+    std::reverse(ring.begin(), ring.end());
+    return ring;
+}
+
+double published_area(const Ring& subject, const Ring& clip, PublishedReading reading = {}) {
+    const Ring polygons[] = {clip, subject};
+    return PublishedClipper(reading).visible_areas(polygons)[1];
+}
+
+/// Exhaustive: the number of pairs whose difference has a wrong area.
+template <typename AreaOfDifference>
+long wrong_pairs(const std::vector<Ring>& polygons, AreaOfDifference area_of_difference) {
+    std::vector<RationalRing> exact;
+    for (const Ring& ring : polygons) exact.push_back(rational(ring));
+    long wrong = 0;
+    for (std::size_t a = 0; a < polygons.size(); ++a) {
+        const Rational whole = area(exact[a]);
+        for (std::size_t b = 0; b < polygons.size(); ++b) {
+            const double truth =
+                boost::rational_cast<double>(whole - area(intersection(exact[a], exact[b])));
+            wrong += std::abs(area_of_difference(polygons[a], polygons[b]) - truth) > kGridAreaError;
+        }
+    }
+    return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("ring_difference: every pair of triangles and convex quads on the 3 x 3 grid",
+          "[clip][exhaustive]") {
+    const std::vector<Ring> polygons = grid_polygons(3, true);
+    REQUIRE(polygons.size() * polygons.size() == 21316);
+    CHECK(wrong_pairs(polygons, [](const Ring& a, const Ring& b) { return area_of(difference(a, b)); }) == 0);
+}
+
+TEST_CASE("ring_difference: every pair of triangles on the 4 x 4 grid", "[clip][exhaustive]") {
+    const std::vector<Ring> polygons = grid_polygons(4, false);
+    REQUIRE(polygons.size() * polygons.size() == 266256);
+    CHECK(wrong_pairs(polygons, [](const Ring& a, const Ring& b) { return area_of(difference(a, b)); }) == 0);
+}
+
+TEST_CASE("published_clipper: 3.2.1 case (4) as printed is wrong for 896 of 21,316 pairs",
+          "[clip][paper][D1]") {
+    const std::vector<Ring> polygons = grid_polygons(3, true);
+    CHECK(wrong_pairs(polygons, [](const Ring& a, const Ring& b) { return published_area(a, b); }) == 896);
+    PublishedReading mended;
+    mended.shared_vertex = PublishedReading::SharedVertex::OneRule;
+    CHECK(wrong_pairs(polygons, [&](const Ring& a, const Ring& b) { return published_area(a, b, mended); }) ==
+          0);
+}
+
+TEST_CASE("published_clipper: as printed, 7,360 of 266,256 pairs of the 4 x 4 grid are wrong",
+          "[clip][paper][D1]") {
+    CHECK(wrong_pairs(grid_polygons(4, false),
+                      [](const Ring& a, const Ring& b) { return published_area(a, b); }) == 7360);
+}
+
+TEST_CASE("ring_difference: a second clip of every concave or self-touching result of the 3 x 3 grid",
+          "[clip][exhaustive]") {
+    const std::vector<Ring> polygons = grid_polygons(3, true);
+    std::vector<RationalRing> exact;
+    for (const Ring& ring : polygons) exact.push_back(rational(ring));
+    long second_clips = 0;
+    long wrong = 0;
+    for (std::size_t a = 0; a < polygons.size(); ++a)
+        for (std::size_t b = 0; b < polygons.size(); ++b) {
+            const SignedRings first = difference(polygons[a], polygons[b]);
+            const bool convex =
+                first.size() == 1 && turns_convex(Ring(first.ring(0).begin(), first.ring(0).end()));
+            if (first.empty() || convex) continue;
+            const RationalRing both = intersection(exact[a], exact[b]);
+            for (std::size_t c = (a + b) % 3; c < polygons.size(); c += 3) {
+                const Rational truth = area(exact[a]) - area(both) - area(intersection(exact[a], exact[c])) +
+                                       area(intersection(both, exact[c]));
+                ++second_clips;
+                wrong += std::abs(area_of(difference(first, polygons[c])) - boost::rational_cast<double>(truth)) >
+                         kGridAreaError;
+            }
+        }
+    CHECK(second_clips > 200000);
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("ring_difference: the smallest cases in which the published rules fail", "[clip][paper]") {
+    SECTION("D1: a shared vertex with collinear edges on opposite sides") {
+        const Ring a = reversed({{0, 0}, {1, 1}, {1, 0}}), b = reversed({{0, 0}, {0, 1}, {2, 2}});
+        CHECK(published_area(a, b) == -0.5);
+        CHECK(area_of(difference(a, b)) == 0.5);
+    }
+    SECTION("D1: two such ends, even parity, still wrong") {
+        const Ring a = reversed({{0, 0}, {2, 2}, {1, 0}}), b = reversed({{0, 0}, {0, 1}, {1, 1}});
+        CHECK(published_area(a, b) != 1);
+        CHECK(area_of(difference(a, b)) == 1);
+    }
+    SECTION("D2: a later clipper overlaps a remembered hole") {
+        const auto square = [](double low, double high) {
+            return Ring{{low, low}, {high, low}, {high, high}, {low, high}};
+        };
+        const Ring a = square(0, 1), b1 = square(0.25, 0.625), b2 = square(0.5, 0.875);
+        const Ring polygons[] = {b1, b2, a};
+        const double truth = 1 - 2 * 0.140625 + 0.015625;
+        CHECK(PublishedClipper().visible_areas(polygons)[2] == truth - 1.0 / 64);
+        PublishedReading mended;
+        mended.hole = PublishedReading::Hole::Signed;
+        CHECK(PublishedClipper(mended).visible_areas(polygons)[2] == truth);
+        CHECK(area_of(difference(difference(a, b1), b2)) == truth);
+    }
+    SECTION("D3: a clipper that fills the notch of a concave piece") {
+        const Ring a = reversed({{1, 2}, {2, 0}, {1, 1}, {0, 0}}), b = reversed({{0, 0}, {1, 1}, {2, 0}});
+        CHECK(published_area(a, b) == 0);
+        CHECK(area_of(difference(a, b)) == 1);
+    }
+    SECTION("D4: a piece that touches itself") {
+        const Ring a = reversed({{0, 0}, {1, 1}, {2, 0}}), b1 = reversed({{0, 1}, {1, 1}, {1, 0}}),
+                   b2 = reversed({{0, 0}, {0, 1}, {1, 0}});
+        const Ring polygons[] = {b1, b2, a};
+        CHECK(PublishedClipper().visible_areas(polygons)[2] != 0.5);
+        CHECK(area_of(difference(difference(a, b1), b2)) == 0.5);
+    }
+}
+
+TEST_CASE("ring_difference: property (4), clipping twice is clipping once", "[clip]") {
+    for (const Ring& a : grid_polygons(3, true))
+        for (const Ring& b : grid_polygons(3, false)) {
+            const SignedRings once = difference(a, b);
+            CHECK_THAT(area_of(difference(once, b)), Catch::WithinAbs(area_of(once), kGridAreaError));
+        }
+}
+
+TEST_CASE("classify_intersections: properties (2) and (3)", "[clip]") {
+    IntersectionClassifier classify, classify_again;
+    for (const Ring& a : grid_polygons(3, true))
+        for (const Ring& b : grid_polygons(3, false)) {
+            const auto forwards = classify(a, b);
+            const auto backwards = classify_again(reversed(a), b);
+            REQUIRE(forwards.size() == backwards.size());
+            const auto count = [](std::span<const Contact> contacts, Turn turn) {
+                return std::count_if(contacts.begin(), contacts.end(),
+                                     [&](const Contact& c) { return c.turn == turn; });
+            };
+            CHECK(count(forwards, Turn::Enter) == count(forwards, Turn::Leave));
+            CHECK(count(forwards, Turn::Enter) == count(backwards, Turn::Leave));
+            Turn last = Turn::Touch;
+            for (const Contact& contact : forwards) {
+                if (contact.turn == Turn::Touch) continue;
+                CHECK(contact.turn != last);
+                last = contact.turn;
+            }
+        }
+}
+
+TEST_CASE("ring_difference: a subject around the clipper keeps it as a hole of the other sign", "[clip]") {
+    const Ring a{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, b{{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+    const SignedRings rest = difference(a, b);
+    REQUIRE(rest.size() == 2);
+    CHECK(rest.sign(0) == 1);
+    CHECK(rest.sign(1) == -1);
+    CHECK(area_of(rest) == 15);
+}
