@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace keikan {
+
+/// Options that every command takes.
+struct CommonOptions {
+    int threads = 0;  ///< 0: all of the machine
+    std::uint64_t seed = 1;
+    bool quiet = false;
+    std::string json;  ///< where the summary goes beside standard output; empty: nowhere
+    bool pass = true;  ///< what the command found
+};
+
+// Each adds its command to the program; parsing the command line then runs it and sets `common.pass`, which
+// must outlive that.
+void add_scene_command(CLI::App& app, CommonOptions& common);
+void add_areas_command(CLI::App& app, CommonOptions& common);
+
+}  // namespace keikan

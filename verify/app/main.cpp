@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// keikan-verify: the product against the exact oracle.
+//
+//   scene    every pixel of a picture       scene_command.cpp
+//   areas    pixel cases, one or millions   areas_command.cpp
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "commands.hpp"
+#include "keikan/support/check.hpp"
+#include "keikan/support/input_error.hpp"
+
+namespace {
+
+constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2;
+
+void describe_program(CLI::App& app, keikan::CommonOptions& common) {
+    app.set_version_flag("--version", "keikan-verify " KEIKAN_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();  // --threads and its like may stand after the command
+    app.add_option("--threads", common.threads, "Threads to use (default: all of the machine)")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--seed", common.seed, "Chooses the pixels that are put to every rung of the oracle")
+        ->capture_default_str();
+    app.add_flag("--quiet", common.quiet, "No messages and no progress bar");
+    app.add_option("--json", common.json, "Write the summary to this file too (- is standard output alone)");
+    keikan::add_scene_command(app, common);
+    keikan::add_areas_command(app, common);
+}
+
+int told(int exit_code, const char* what) {
+    std::fprintf(stderr, "keikan-verify: %s\n", what);
+    return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Every pixel against the exact oracle");
+    keikan::CommonOptions common;
+    try {
+        describe_program(app, common);
+        app.parse(argc, argv);  // runs the command
+        return common.pass ? kDone : kCheckFailed;
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
+    } catch (const CLI::ParseError& wrong_usage) {
+        return told(kBadInput, wrong_usage.what());
+    } catch (const keikan::InputError& bad_input) {
+        return told(kBadInput, bad_input.what());
+    } catch (const keikan::CheckFailure& mistake) {
+        return told(kCheckFailed, mistake.what());
+    } catch (const std::exception& mistake) {
+        return told(kCheckFailed, mistake.what());
+    }
+}

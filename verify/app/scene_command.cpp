@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "commands.hpp"
+#include "crosscheck/report.hpp"
+#include "crosscheck/scene_check.hpp"
+#include "keikan/render/shade.hpp"
+#include "keikan/scan/scan_scene.hpp"
+#include "keikan/scene/scene.hpp"
+#include "keikan/support/input_error.hpp"
+#include "keikan/support/parallel.hpp"
+#include "keikan/support/progress.hpp"
+#include "verdict.hpp"
+
+namespace keikan {
+namespace {
+
+struct SceneCommand {
+    std::string scene, size, pixels = "all", engine = "splitting", extract = "outline", report;
+};
+
+/// "1000x650" as columns and rows; nothing for an empty text. Errors: InputError.
+std::optional<ImageSize> picture_size(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    ImageSize size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.height);
+        const bool sound = height.ec == std::errc() && height.ptr == end && size.width > 0 &&
+                           size.height > 0 &&
+                           static_cast<std::int64_t>(size.width) * size.height <= std::int64_t{1} << 28;
+        if (sound) return size;
+    }
+    throw InputError("--size " + text + ": is not WIDTHxHEIGHT with at most 2^28 pixels");
+}
+
+Extraction extraction_of(const std::string& text) {
+    if (text == "outline") return Extraction::Outline;
+    if (text == "paper") return Extraction::Paper;
+    throw InputError("--extract " + text + ": there are only: outline, paper");
+}
+
+bool flagged_only_of(const std::string& text) {
+    if (text == "all") return false;
+    if (text == "flagged") return true;
+    throw InputError("--pixels " + text + ": there are only: all, flagged");
+}
+
+/// Scans the picture, and checks and paints each band as it comes.
+crosscheck::CheckSummary check_bands(const ProjectedFaces& faces, const Geometry& geometry,
+                                     const Scene& scene, const ScanOptions& scan,
+                                     crosscheck::SceneCheck& check, Image<Rgb>* picture, Progress& progress) {
+    scan_faces(faces, geometry, scene.camera, scan, [&](const ScanBand& band) {
+        check.take(band);
+        if (picture) shade_band(band, scene, *picture);
+        progress.advance(static_cast<std::size_t>(band.rows));
+    });
+    return check.finish();
+}
+
+void scene(const SceneCommand& command, CommonOptions& common) {
+    require_engine(command.engine);
+    ScanOptions scan;
+    scan.extraction = extraction_of(command.extract);
+    crosscheck::SceneCheckOptions options;
+    options.flagged_only = flagged_only_of(command.pixels);
+    options.spans_are_exact = scan.extraction == Extraction::Outline;
+    options.seed = common.seed;
+    const bool reported = !command.report.empty();
+    if (reported) crosscheck::make_report_folder(command.report);
+    const ThreadLimit threads(common.threads);
+    const auto start = std::chrono::steady_clock::now();
+
+    const Scene read = read_scene(command.scene, picture_size(command.size));
+    const Geometry geometry = build_geometry(read);
+    const ProjectedFaces faces = project_faces(geometry, read.camera);
+    const ImageSize size = read.camera.size;
+    Progress progress("verifying", static_cast<std::size_t>(size.height), !common.quiet);
+    crosscheck::SceneCheck check(faces, geometry, size, options);
+    Image<Rgb> picture(reported ? size : ImageSize{});
+    crosscheck::CheckSummary summary =
+        check_bands(faces, geometry, read, scan, check, reported ? &picture : nullptr, progress);
+    summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const std::string json =
+        crosscheck::summary_json(summary, options.spans_are_exact ? nullptr : &check.unflagged());
+    if (reported) crosscheck::write_report(command.report, picture, check, json);
+    const std::string sized = command.size.empty() ? "" : " --size " + command.size;
+    tell_verdict(summary, json, common, [&](const crosscheck::Disagreement& d) {
+        return fmt::format("keikan pixel {} --at {},{}{} | keikan-verify areas -", shell_word(command.scene),
+                           d.pixel.x, d.pixel.y, sized);
+    });
+}
+
+}  // namespace
+
+void add_scene_command(CLI::App& app, CommonOptions& common) {
+    auto* const sub =
+        app.add_subcommand("scene", "Every pixel of a scene: visible areas, float against exact");
+    const auto command = std::make_shared<SceneCommand>();
+    sub->add_option("SCENE", command->scene, "Scene file (docs/scene.md)")->required();
+    sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
+    sub->add_option("--pixels", command->pixels, "Which are checked: all, flagged")->capture_default_str();
+    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
+        ->capture_default_str();
+    sub->add_option("--report", command->report,
+                    "Folder for the picture, its errors, the flags and the summary");
+    sub->callback([command, &common] { scene(*command, common); });
+}
+
+}  // namespace keikan

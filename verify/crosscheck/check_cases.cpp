@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_cases.hpp"
+
+#include <vector>
+
+#include "keikan/cases/pixel_case_file.hpp"
+#include "keikan/clip/visible_areas.hpp"
+#include "keikan/support/parallel.hpp"
+#include "sampling.hpp"
+
+namespace keikan::crosscheck {
+namespace {
+
+constexpr std::size_t kCasesAtOnce = 512;
+
+/// One of each kind for a thread, or for a run of cases.
+struct Working {
+    VisibleAreas product;
+    PixelComparison compare;
+};
+
+PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options,
+                        Working& working) {
+    const std::vector<FaceView> faces = pixel_case.faces();
+    std::vector<Disagreement> faults;
+    const Claim claim = claim_of(working.product(pixel_case.pixel, faces, pixel_case.nearness()),
+                                 faces.size(), pixel_case.pixel, faults);
+    const std::uint64_t draw = draw_of(options.seed, index);
+    const bool all = index < options.all_rungs_for_first;
+    const Proofs proofs{.rational = all || draw % options.rational_one_in == 0,
+                        .boolean_sets = all || draw % options.boolean_sets_one_in == 0};
+    GivenAnswer given;
+    if (pixel_case.areas) given.areas = *pixel_case.areas;
+    if (pixel_case.background) given.background = &*pixel_case.background;
+    const bool answered = pixel_case.areas || pixel_case.background;
+    PixelVerdict verdict = working.compare({pixel_case.pixel, faces, pixel_case.nearness()}, claim, proofs,
+                                           answered ? &given : nullptr);
+    verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
+    for (Disagreement& d : verdict.disagreements) d.case_id = pixel_case.id;
+    return verdict;
+}
+
+}  // namespace
+
+PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options) {
+    Working working;
+    return verdict_of(pixel_case, index, options, working);
+}
+
+CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCheckOptions& options) {
+    PixelCaseReader reader(in, name);
+    CheckSummary summary;
+    for (std::uint64_t first = 0;;) {
+        std::vector<PixelCase> cases;
+        while (cases.size() < kCasesAtOnce)
+            if (auto next = reader.next())
+                cases.push_back(std::move(*next));
+            else
+                break;
+        std::vector<PixelVerdict> verdicts(cases.size());
+        parallel_ranges(cases.size(), 8, [&](std::size_t begin, std::size_t end) {
+            Working working;
+            for (std::size_t i = begin; i < end; ++i)
+                verdicts[i] = verdict_of(cases[i], first + i, options, working);
+        });
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            summary.add(verdicts[i], cases[i].pixel, cases[i].id, cases[i].polygons.size());
+        first += cases.size();
+        if (cases.size() < kCasesAtOnce) return summary;
+    }
+}
+
+}  // namespace keikan::crosscheck

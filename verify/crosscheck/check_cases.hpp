@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstdint>
+#include <istream>
+#include <string>
+
+#include "check_summary.hpp"
+#include "keikan/model/pixel_case.hpp"
+
+namespace keikan::crosscheck {
+
+struct CaseCheckOptions {
+    std::uint64_t seed = 1;  ///< chooses the samples below
+    /// So many cases at the start of each file are put to every rung; after them one in so many.
+    std::uint64_t all_rungs_for_first = 256;
+    std::uint64_t rational_one_in = 16;
+    std::uint64_t boolean_sets_one_in = 128;
+};
+
+/// Puts each pixel case of the stream to VisibleAreas and to the oracle, and holds both to the answers that
+/// the case states. Cases are checked side by side, a few hundred at a time, so a file may be of any length.
+///
+/// Properties: (1) Everything but `seconds` is the same for any number of threads.
+/// Errors:     InputError, as PixelCaseReader.
+CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCheckOptions& options);
+
+/// One case; `index` is its place in the file.
+PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options);
+
+}  // namespace keikan::crosscheck

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "disagreement.hpp"
+#include "keikan/model/coverage.hpp"
+#include "keikan/model/face.hpp"
+#include "keikan/model/pixel.hpp"
+#include "oracle/exact_areas.hpp"
+
+namespace keikan::crosscheck {
+
+/// What is asked, of product and oracle alike.
+struct Question {
+    PixelIndex pixel;
+    std::span<const FaceView> faces;
+    Nearness nearness = Nearness::ByDepth;
+};
+
+/// What the product answers: an area for each face asked about (0 where it lists none), and the background.
+struct Claim {
+    std::vector<double> areas;
+    double background = 1;
+};
+
+/// The answer of VisibleAreas for `faces` faces as a claim; whatever of its contract (rising positions, areas
+/// in (0, 1], background in [0, 1]) does not hold is added to `faults`.
+Claim claim_of(const PixelCoverage& coverage, std::size_t faces, PixelIndex pixel,
+               std::vector<Disagreement>& faults);
+
+/// Which proofs are wanted beyond what the comparison itself needs.
+struct Proofs {
+    bool rational = false;                     ///< areas_by_rational_splitting in any case
+    bool boolean_sets = false;                 ///< and CGAL's Boolean set operations
+    bool boolean_sets_on_disagreement = true;  ///< the last word on every area that is off
+};
+
+/// The exact answers that a case states, "p/q".
+struct GivenAnswer {
+    std::span<const std::string> areas;  ///< empty, or one for each face
+    const std::string* background = nullptr;
+};
+
+/// How many pixels each rung of the oracle has answered.
+struct RungCounts {
+    std::uint64_t quad = 0;       ///< asked in extended precision with a running error bound
+    std::uint64_t certified = 0;  ///< ... of which with a certificate
+    std::uint64_t rational = 0;
+    std::uint64_t cgal = 0;
+    RungCounts& operator+=(const RungCounts& other);
+    friend bool operator==(const RungCounts&, const RungCounts&) = default;
+};
+
+struct PixelVerdict {
+    std::size_t faces = 0;  ///< that were asked about: they choose the bounds
+    double area_error = 0;  ///< the largest |claimed - exact| of faces and background is at most this
+    double sum_error = 0;   ///< |areas + background - 1|
+    RungCounts rungs;
+    std::vector<Disagreement> disagreements;
+};
+
+/// The one place that knows both answers. One object a thread.
+///
+/// A claim holds when every area is within area_bound(faces.size()) of the exact one and the sum within
+/// sum_bound(). The certified rung decides where it can: where it gives no certificate, or where the bound
+/// lies within its own error of the difference, rational splitting decides; CGAL's Boolean set operations
+/// have the last word on every disagreement. Wherever two rungs answered, they must agree.
+class PixelComparison {
+  public:
+    PixelVerdict operator()(const Question& question, const Claim& claim, const Proofs& proofs = {},
+                            const GivenAnswer* given = nullptr);
+
+  private:
+    oracle::CertifiedSplitting certified_;
+};
+
+/// areas + background - 1, summed without rounding errors that matter.
+double excess_of_sum(const Claim& claim);
+
+}  // namespace keikan::crosscheck

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "disagreement.hpp"
+
+#include <fmt/format.h>
+
+namespace keikan::crosscheck {
+
+const char* name_of(Disagreement::Kind kind) {
+    switch (kind) {
+        case Disagreement::Kind::Area:
+            return "area";
+        case Disagreement::Kind::Background:
+            return "background";
+        case Disagreement::Kind::Sum:
+            return "sum";
+        case Disagreement::Kind::Form:
+            return "form";
+        case Disagreement::Kind::Attributes:
+            return "attributes";
+        case Disagreement::Kind::Given:
+            return "given";
+        case Disagreement::Kind::Rungs:
+            return "rungs";
+    }
+    return "?";
+}
+
+std::string text_of(const Disagreement& d) {
+    std::string text = fmt::format("pixel {},{}", d.pixel.x, d.pixel.y);
+    if (!d.case_id.empty()) text += fmt::format(" of case {}", d.case_id);
+    text += fmt::format(": {}", name_of(d.kind));
+    if (d.face) text += fmt::format(" of face {}", *d.face);
+    const bool measured = d.kind == Disagreement::Kind::Area || d.kind == Disagreement::Kind::Background ||
+                          d.kind == Disagreement::Kind::Sum;
+    if (measured)
+        text += fmt::format(" is {:.17g}, exactly {:.17g}: off by {:.3g}, allowed {:.3g}", d.claimed, d.exact,
+                            d.error, d.bound);
+    if (!d.note.empty()) text += ": " + d.note;
+    return text;
+}
+
+}  // namespace keikan::crosscheck
