@@ -76,8 +76,12 @@ double crossing_with_border(double k, double v_origin, Point p, Point q) {
         k *= unit;
         v_origin *= unit;
     }
-    const DoubleDouble du = two_difference(q.x, p.x), dv = two_difference(q.y, p.y);
-    const DoubleDouble to_border = two_difference(k, p.x), v = two_difference(p.y, v_origin);
+    DoubleDouble du = two_difference(q.x, p.x), to_border = two_difference(k, p.x);
+    const DoubleDouble dv = two_difference(q.y, p.y), v = two_difference(p.y, v_origin);
+    if (std::abs(du.hi) < 0x1p-400) [[unlikely]] {  // keep the products above the underflow; the ratio stays
+        du = {du.hi * 0x1p600, du.lo * 0x1p600};
+        to_border = {to_border.hi * 0x1p600, to_border.lo * 0x1p600};
+    }
     DoubleDouble numerator;
     if (extent < 0x1p40) [[likely]] {
         // Error across the line: at most 2^-101 * extent < 2^-61 (docs/numerics.md, section 2).

@@ -58,8 +58,8 @@ Overlap overlap(PixelIndex pixel, const ConvexOutline& outline, std::vector<Corn
 /// The part of the outline in the pixel, pixel-local, as an exactly strictly convex ring that turns from +x
 /// towards +y and starts at its smallest x (then y). Empty if nothing with area is left.
 ///
-/// Error: every corner of `ring` is the nearest point of the 2^-53 grid to the exact corner, up to 2^-60;
-///        corners that this makes coincide or line up are removed.
+/// Error: every coordinate of `ring` is within 3/4 * 2^-53 of the exact one: it was rounded to a double below
+///        1 and then snapped. Corners that this makes coincide or line up are removed.
 /// Exact: which edges meet which borders, and which corners of the pixel are inside.
 void clip_to_pixel(PixelIndex pixel, const ConvexOutline& outline, std::span<const CornerSides> sides,
                    std::vector<Point>& ring);

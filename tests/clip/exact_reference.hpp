@@ -128,16 +128,18 @@ class ExactReference {
         if (convex.empty()) return;
         std::vector<Polygon> left;
         for (Polygon& piece : pieces) {
-            if (intersection(piece, convex).empty()) {  // nothing in common: leave it whole
-                if (!piece.empty()) left.push_back(std::move(piece));
-                continue;
-            }
-            for (std::size_t i = 0; i < convex.size() && !piece.empty(); ++i) {
+            const std::size_t before = left.size();
+            Polygon common = piece;
+            for (std::size_t i = 0; i < convex.size() && !common.empty(); ++i) {
                 const Plane edge = left_of(convex[i], convex[(i + 1) % convex.size()]);
-                Polygon outside = part(piece, edge, false);
-                if (!outside.empty()) left.push_back(std::move(outside));
-                piece = part(piece, edge, true);
+                Polygon outside = part(common, edge, false);
+                if (outside.empty()) continue;
+                left.push_back(std::move(outside));
+                common = part(common, edge, true);
             }
+            if (!common.empty() || piece.empty()) continue;
+            left.resize(before);  // nothing in common: leave it whole
+            left.push_back(std::move(piece));
         }
         pieces = std::move(left);
     }

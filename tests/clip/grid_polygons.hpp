@@ -20,7 +20,8 @@ using RationalRing = std::vector<RationalPoint>;
 /// Requires: integer coordinates.
 inline RationalRing rational(std::span<const Point> ring) {
     RationalRing result;
-    for (const Point p : ring) result.push_back({Rational(static_cast<long long>(p.x)), Rational(static_cast<long long>(p.y))});
+    for (const Point p : ring)
+        result.push_back({Rational(static_cast<long long>(p.x)), Rational(static_cast<long long>(p.y))});
     return result;
 }
 

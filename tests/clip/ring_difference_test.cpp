@@ -56,8 +56,7 @@ long wrong_pairs(const std::vector<Ring>& polygons, AreaOfDifference area_of_dif
     for (std::size_t a = 0; a < polygons.size(); ++a) {
         const Rational whole = area(exact[a]);
         for (std::size_t b = 0; b < polygons.size(); ++b) {
-            const double truth =
-                boost::rational_cast<double>(whole - area(intersection(exact[a], exact[b])));
+            const double truth = boost::rational_cast<double>(whole - area(intersection(exact[a], exact[b])));
             wrong += std::abs(area_of_difference(polygons[a], polygons[b]) - truth) > kGridAreaError;
         }
     }
@@ -113,8 +112,8 @@ TEST_CASE("ring_difference: a second clip of every concave or self-touching resu
                 const Rational truth = area(exact[a]) - area(both) - area(intersection(exact[a], exact[c])) +
                                        area(intersection(both, exact[c]));
                 ++second_clips;
-                wrong += std::abs(area_of(difference(first, polygons[c])) - boost::rational_cast<double>(truth)) >
-                         kGridAreaError;
+                wrong += std::abs(area_of(difference(first, polygons[c])) -
+                                  boost::rational_cast<double>(truth)) > kGridAreaError;
             }
         }
     CHECK(second_clips > 200000);

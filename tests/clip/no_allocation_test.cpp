@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "degenerate_pixels.hpp"
+#include "keikan/clip/visible_areas.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+TEST_CASE("visible_areas: a pixel allocates nothing once one of its size has been seen", "[clip][memory]") {
+    using namespace keikan;
+    using namespace keikan::test;
+    std::vector<PixelCase> cases;
+    for (const Family& family : families())
+        for (const bool with_depth : {false, true}) {
+            Dice dice(21);
+            for (int i = 0; i < 30; ++i) cases.push_back(random_pixel(family, dice, with_depth));
+        }
+    std::vector<std::vector<FaceView>> faces;
+    for (const PixelCase& pixel_case : cases) faces.push_back(pixel_case.faces());
+    VisibleAreas visible_areas;
+    const auto see_all = [&] {
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            visible_areas(cases[i].pixel, faces[i], cases[i].nearness());
+            visible_areas.pieces();
+        }
+    };
+    see_all();
+    const std::size_t before = allocations;
+    see_all();
+    const std::size_t after = allocations;
+    CHECK(after == before);
+    CHECK(before > 0);
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <boost/multiprecision/cpp_int.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "degenerate_pixels.hpp"
+#include "exact_reference.hpp"
+#include "keikan/clip/visible_areas.hpp"
+
+namespace {
+
+using namespace keikan;
+using namespace keikan::test;
+using Rational = boost::multiprecision::cpp_rational;
+
+double distance(double a, const Rational& b) {
+    const Rational difference = Rational(a) - b;
+    return std::abs(static_cast<double>(difference));
+}
+
+struct Worst {
+    double area = 0, sum = 0;
+};
+
+/// The largest errors over `count` pixels of a family.
+Worst worst_of(const Family& family, std::uint64_t seed, int count, bool with_depth) {
+    Worst worst;
+    VisibleAreas visible_areas;
+    Dice dice(seed);
+    for (int k = 0; k < count; ++k) {
+        const PixelCase pixel_case = random_pixel(family, dice, with_depth);
+        const std::vector<FaceView> faces = pixel_case.faces();
+        const PixelCoverage seen = visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
+        const auto truth =
+            ExactReference<Rational>::visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
+        Rational exact_sum = truth.background;
+        for (const Rational& area : truth.areas) exact_sum += area;
+        REQUIRE(exact_sum == 1);
+        std::vector<double> areas(faces.size());
+        double sum = seen.background;
+        for (const VisiblePart& part : seen.parts) {
+            areas[part.face] = part.area;
+            sum += part.area;
+        }
+        double error = distance(seen.background, truth.background);
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            error = std::max(error, distance(areas[i], truth.areas[i]));
+        worst.area = std::max(worst.area, error);
+        worst.sum = std::max(worst.sum, std::abs(sum - 1));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("visible_areas: every area is within its bound of the exact one, in every degenerate family",
+          "[clip][fuzz]") {
+    // KEIKAN_FUZZ_SEED=n asks other questions.
+    const char* const given = std::getenv("KEIKAN_FUZZ_SEED");
+    const std::uint64_t seed = given != nullptr ? std::strtoull(given, nullptr, 10) : 1;
+    std::cout << "visible_areas fuzz: seed " << seed << "\n";
+    for (const Family& family : families()) {
+        const bool crowd = family.name == "crowd";
+        for (const bool with_depth : {false, true}) {
+            const Worst worst = worst_of(family, seed, crowd ? 1 : 10, with_depth);
+            INFO(family.name << (with_depth ? " with depth" : "") << ", seed " << seed);
+            CHECK(worst.area <= kVisibleAreaError);
+            CHECK(worst.sum <= kAreaSumError);
+        }
+    }
+}
