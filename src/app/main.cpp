@@ -11,6 +11,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "keikan/support/check.hpp"
@@ -34,6 +36,16 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     keikan::add_areas_command(app, common);
     keikan::add_pixel_command(app, common);
     keikan::add_info_command(app, common);
+    for (CLI::App* const command : app.get_subcommands({}))
+        command->footer("Also --threads N, --seed N, --quiet: see keikan --help.");
+}
+
+/// CLI11 would only say that a command is missing where it does not know the one given.
+std::string usage_trouble(const CLI::App& app, const CLI::ParseError& trouble) {
+    const std::vector<std::string> unknown = app.remaining();
+    if (app.get_subcommands().empty() && !unknown.empty() && !unknown.front().starts_with('-'))
+        return "'" + unknown.front() + "' is not a command; keikan --help lists them";
+    return trouble.what();
 }
 
 int told(int exit_code, const char* what) {
@@ -53,7 +65,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help_or_version) {
         return app.exit(help_or_version);
     } catch (const CLI::ParseError& wrong_usage) {
-        return told(kBadInput, wrong_usage.what());
+        return told(kBadInput, usage_trouble(app, wrong_usage).c_str());
     } catch (const keikan::InputError& bad_input) {
         return told(kBadInput, bad_input.what());
     } catch (const keikan::CheckFailure& mistake) {
