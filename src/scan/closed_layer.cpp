@@ -46,6 +46,20 @@ bool box_misses(Point p, Point q, PixelIndex pixel) {
            std::min(p.y, q.y) >= pixel.y + 1;
 }
 
+/// Whether w of `front` is larger than w of `back` all over the box, for certain. Their difference is affine,
+/// so its least value is at a corner.
+bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double left, double top, double right,
+                     double bottom) {
+    for (const double x : {left, right})
+        for (const double y : {top, bottom}) {
+            const double difference = (front.a * x + front.b * y + front.c) - (back.a * x + back.b * y + back.c);
+            // The subtraction itself rounds once more; doubling both bounds covers it, as |w| is below the sum
+            // of the sizes that the bound is made of.
+            if (!(difference > 2 * (plane_error(front, x, y) + plane_error(back, x, y)))) return false;
+        }
+    return true;
+}
+
 }  // namespace
 
 /// Collects what is connected with `start` through shared edges. An edge needs no neighbour when it cannot
@@ -77,6 +91,26 @@ bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const Face
         }
     }
     return closed;
+}
+
+bool ClosedLayer::hides(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
+                        std::span<const Candidate> candidates, std::size_t other) const {
+    if (candidates[other].w_max < w_min_) return true;
+    // Face by face, where both can be: the difference of two planes that slope alike is much tighter.
+    const std::uint32_t back = candidates[other].face;
+    const double left = std::max<double>(facts[back].left, pixel.x);
+    const double top = std::max<double>(facts[back].top, pixel.y);
+    const double right = std::min<double>(facts[back].right, pixel.x + 1);
+    const double bottom = std::min<double>(facts[back].bottom, pixel.y + 1);
+    return std::all_of(members_.begin(), members_.end(), [&](std::uint32_t member) {
+        const FaceFacts& front = facts[candidates[member].face];
+        const double common_left = std::max(left, front.left), common_right = std::min(right, front.right);
+        const double common_top = std::max(top, front.top), common_bottom = std::min(bottom, front.bottom);
+        return common_left > common_right || common_top > common_bottom ||
+               candidates[member].w_min > candidates[other].w_max ||
+               nearer_over_box(faces.plane[candidates[member].face], faces.plane[back], common_left, common_top,
+                               common_right, common_bottom);
+    });
 }
 
 bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,

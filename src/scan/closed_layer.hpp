@@ -25,15 +25,16 @@ class ClosedLayer {
     bool find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
               const FaceNeighbours& neighbours, std::span<const Candidate> candidates, std::size_t start);
 
-    /// Of the layer found: its candidates (positions), its least w in the pixel, and each face's share.
-    std::span<const std::uint32_t> members() const { return members_; }
-    double w_min() const { return w_min_; }
-    /// Parts name projected faces and come by rising face. A share below what rounding can tell from nothing
-    /// is left out.
+    /// Of the layer found, each face's share. Parts name projected faces and come by rising face. A share
+    /// below what rounding can tell from nothing is left out.
     std::span<const SeenPart> parts() const { return parts_; }
+    /// Whether candidate `other`, none of the layer found, lies wholly behind it within the pixel, for certain.
+    bool hides(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
+               std::span<const Candidate> candidates, std::size_t other) const;
 
-    /// Whether the last search has reached that candidate.
-    bool reached(std::size_t candidate) const { return is_member_[candidate] != 0; }
+    /// Candidates that the last search has reached, whether it found a layer or not.
+    std::span<const std::uint32_t> reached() const { return members_; }
+    bool has_reached(std::size_t candidate) const { return is_member_[candidate] != 0; }
 
   private:
     bool grow(PixelIndex pixel, const ProjectedFaces& faces, const FaceNeighbours& neighbours,

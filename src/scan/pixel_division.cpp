@@ -33,36 +33,37 @@ DividedView PixelDivision::operator()(PixelIndex pixel, std::span<const Candidat
 
 DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates) {
     // A layer that tiles the pixel hides what lies wholly behind it. If nothing else is left, its faces'
-    // areas are the answer; otherwise it has at least shortened the question. The nearest face's layer is
-    // the likeliest; after it, the layers of what it has not reached.
-    double hidden_below = -std::numeric_limits<double>::infinity();
-    constexpr int kAttempts = 3;
-    double tried_below = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    // areas are the answer; otherwise it has shortened the question. Layers are looked for from the nearest
+    // face on, among those that no search has reached and no layer hides.
+    fate_.assign(candidates.size(), Fate::Open);
+    for (;;) {
         std::size_t start = candidates.size();
         for (std::size_t i = 0; i < candidates.size(); ++i)
-            if (candidates[i].w_max < tried_below &&
-                (start == candidates.size() || candidates[i].w_max > candidates[start].w_max) &&
-                (attempt == 0 || !layer_.reached(i)))
+            if (fate_[i] == Fate::Open &&
+                (start == candidates.size() || candidates[i].w_max > candidates[start].w_max))
                 start = i;
         if (start == candidates.size()) break;
-        tried_below = candidates[start].w_max;
-        if (!layer_.find(pixel, question_.faces, question_.facts, question_.neighbours, candidates, start))
-            continue;
-        hidden_below = layer_.w_min();
-        const bool alone = std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-            return c.w_max >= hidden_below &&
-                   !layer_.reached(static_cast<std::size_t>(&c - candidates.data()));
-        });
+        const bool found =
+            layer_.find(pixel, question_.faces, question_.facts, question_.neighbours, candidates, start);
+        for (const std::uint32_t i : layer_.reached())
+            if (fate_[i] == Fate::Open) fate_[i] = Fate::Asked;
+        if (!found) continue;
+        bool alone = true;
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            if (layer_.has_reached(i) || fate_[i] == Fate::Hidden) continue;
+            if (layer_.hides(pixel, question_.faces, question_.facts, candidates, i))
+                fate_[i] = Fate::Hidden;
+            else
+                alone = false;
+        }
         if (alone) return {Division::ExactAreas, layer_.parts(), 0};
-        break;
     }
     asked_.clear();
     asked_face_.clear();
-    for (const Candidate& c : candidates) {
-        if (c.w_max < hidden_below) continue;
-        asked_.push_back(question_.faces[c.face]);
-        asked_face_.push_back(c.face);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (fate_[i] == Fate::Hidden) continue;
+        asked_.push_back(question_.faces[candidates[i].face]);
+        asked_face_.push_back(candidates[i].face);
     }
     return by_visible_areas(pixel);
 }

@@ -43,7 +43,14 @@ class PixelDivision {
     bool flagged(PixelIndex pixel, std::span<const Candidate> candidates) const;
 
     ScanQuestion question_;
+    enum class Fate : std::uint8_t {
+        Open,    ///< no search for layers has reached it
+        Asked,   ///< it may be seen
+        Hidden,  ///< it lies behind a layer
+    };
+
     ClosedLayer layer_;
+    std::vector<Fate> fate_;
     VisibleAreas visible_areas_;
     ScanlineLengths scanline_lengths_;
     std::vector<FaceView> asked_;
