@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact areas by cutting convex polygons, written as lists of points, along lines.
 //
-// All coordinates of a question are brought to one common denominator 2^s, so that points given are pairs of
-// integers, lines have integer coefficients, and a point where two lines meet is X/W, Y/W with integers X, Y, W
-// of bounded size: a cut is always made with the line itself, never with points that were cut before.
+// A point is X/W, Y/W with integers X, Y, W; a line has integer coefficients. A cut is always made with the line
+// itself, never with a line through points that were cut before: so the integers have a bounded length, however
+// often a polygon is cut.
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -38,14 +40,21 @@ mpz_class scaled(double value, int bits) {
     return whole >> static_cast<mp_bitcnt_t>(-shift);  // drops zeros only
 }
 
-/// A x + B y + C = 0; the positive side is to the left of the direction of travel.
+/// a x + b y + c = 0, pixel-local; the positive side is to the left of the direction of travel.
 struct Line {
     mpz_class a, b, c;
+    double near_a = 0, near_b = 0, near_c = 0;  ///< with a common factor that makes the largest at most 1
 };
 
-/// (x/w, y/w), w > 0.
+/// A point of the pixel lies on that side of a line on which the rounded value says that it lies, if the value is
+/// larger than this: x and y are off by 2^-50 and at most 1, a, b, c by 2^-52 of their size, which is at most 1, and five
+/// roundings add 2^-53 of a sum of at most 3.
+constexpr double kUncertainValue = 0x1p-47;
+
+/// (x/w, y/w), w > 0, pixel-local.
 struct HomogeneousPoint {
     mpz_class x, y, w;
+    double near_x = 0, near_y = 0;  ///< of a point of the pixel: within 2^-50, for bounding boxes
 };
 
 /// A corner of a convex polygon and the line along which its border goes on.
@@ -56,6 +65,26 @@ struct Corner {
 
 /// Counter-clockwise (with y upwards), strictly convex; empty where there is no area.
 using ConvexPolygon = std::vector<Corner>;
+
+/// Rounded outwards: what lies apart from it is apart.
+struct Box {
+    double x0 = 2, y0 = 2, x1 = -2, y1 = -2;
+
+    bool apart_from(const Box& other) const {
+        return x1 < other.x0 || other.x1 < x0 || y1 < other.y0 || other.y1 < y0;
+    }
+};
+
+Box box_of(const ConvexPolygon& polygon) {
+    Box box;
+    for (const auto& [point, line] : polygon) {
+        box.x0 = std::min(box.x0, point->near_x - 0x1p-48);
+        box.y0 = std::min(box.y0, point->near_y - 0x1p-48);
+        box.x1 = std::max(box.x1, point->near_x + 0x1p-48);
+        box.y1 = std::max(box.y1, point->near_y + 0x1p-48);
+    }
+    return box;
+}
 
 struct Halves {
     ConvexPolygon left;
@@ -69,6 +98,7 @@ class Splitting {
     ExactAreas areas();
 
   private:
+    const Line* add_line(Line line);
     const Line* line_through(const HomogeneousPoint& p, const HomogeneousPoint& q);
     const HomogeneousPoint* meeting_point(const Line& first, const Line& second);
     int side(const Line& line, const HomogeneousPoint& point);
@@ -79,15 +109,16 @@ class Splitting {
     ConvexPolygon where_nearer(std::size_t other, std::size_t face);
     void subtract(std::vector<ConvexPolygon>& pieces, const ConvexPolygon& hiding);
     mpq_class area(std::span<const ConvexPolygon> pieces);
+    std::vector<std::size_t> likely_hiding() const;
 
     PixelIndex pixel_;
     std::span<const FaceView> faces_;
     Nearness nearness_;
-    int bits_ = 0;  ///< the common denominator of coordinates is 2^bits_; the origin is the pixel's corner
     std::deque<HomogeneousPoint> points_;
     std::deque<Line> lines_;
     ConvexPolygon square_;
-    std::vector<ConvexPolygon> polygons_;
+    std::vector<ConvexPolygon> polygons_;  ///< of the faces, in the pixel
+    std::vector<Box> boxes_;               ///< of these
     mpz_class sum_, other_sum_;  ///< kept, so that a side test allocates nothing
 };
 
@@ -101,35 +132,47 @@ bool may_touch(std::span<const Point> outline, PixelIndex pixel) {
 
 Splitting::Splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness)
     : pixel_(pixel), faces_(faces), nearness_(nearness) {
-    for (const FaceView& face : faces) {
-        if (!may_touch(face.outline, pixel)) continue;
-        for (const Point& p : face.outline)
-            bits_ = std::max({bits_, bits_after_the_point(p.x), bits_after_the_point(p.y)});
-    }
     std::vector<const HomogeneousPoint*> corners;
-    const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(bits_);
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
-        corners.push_back(&points_.emplace_back(HomogeneousPoint{x * one, y * one, 1}));
+        corners.push_back(&points_.emplace_back(HomogeneousPoint{x, y, 1, double(x), double(y)}));
     square_ = polygon_through(corners);
-    for (const FaceView& face : faces) polygons_.push_back(in_pixel(face));
+    for (const FaceView& face : faces) {
+        polygons_.push_back(in_pixel(face));
+        boxes_.push_back(box_of(polygons_.back()));
+    }
 }
 
-/// Common factors 2^n are taken out: they would only make every later number longer.
-void shorten(Line& line) {
-    if (line.a == 0 && line.b == 0) return;
+const Line* Splitting::add_line(Line line) {
+    // Common factors 2^n would only make every later number longer. (mpz_scan1 of 0 is the largest number.)
     const mp_bitcnt_t zeros =
         std::min({mpz_scan1(line.a.get_mpz_t(), 0), mpz_scan1(line.b.get_mpz_t(), 0),
-                  mpz_scan1(line.c.get_mpz_t(), 0)});  // mpz_scan1 of 0 is the largest number
+                  mpz_scan1(line.c.get_mpz_t(), 0)});
     line.a >>= zeros;
     line.b >>= zeros;
     line.c >>= zeros;
+    const auto length = std::max({mpz_sizeinbase(line.a.get_mpz_t(), 2), mpz_sizeinbase(line.b.get_mpz_t(), 2),
+                                  mpz_sizeinbase(line.c.get_mpz_t(), 2)});
+    const auto near = [length](const mpz_class& value) {
+        long exponent = 0;
+        const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t());
+        return std::ldexp(mantissa, static_cast<int>(exponent - static_cast<long>(length)));
+    };
+    line.near_a = near(line.a);
+    line.near_b = near(line.b);
+    line.near_c = near(line.c);
+    return &lines_.emplace_back(std::move(line));
 }
 
-/// Requires: p and q given points, that is, w = 1.
 const Line* Splitting::line_through(const HomogeneousPoint& p, const HomogeneousPoint& q) {
-    Line line{p.y - q.y, q.x - p.x, p.x * q.y - p.y * q.x};
-    shorten(line);
-    return &lines_.emplace_back(std::move(line));
+    return add_line({p.y * q.w - q.y * p.w, q.x * p.w - p.x * q.w, p.x * q.y - p.y * q.x});
+}
+
+/// Within 2^-50 of over / under, if that is at most 1 in size.
+double quotient(const mpz_class& over, const mpz_class& under) {
+    long over_exponent = 0, under_exponent = 0;
+    const double first = mpz_get_d_2exp(&over_exponent, over.get_mpz_t());
+    const double second = mpz_get_d_2exp(&under_exponent, under.get_mpz_t());
+    return std::ldexp(first / second, static_cast<int>(over_exponent - under_exponent));
 }
 
 const HomogeneousPoint* Splitting::meeting_point(const Line& first, const Line& second) {
@@ -147,11 +190,15 @@ const HomogeneousPoint* Splitting::meeting_point(const Line& first, const Line& 
         mpz_neg(point.y.get_mpz_t(), point.y.get_mpz_t());
         mpz_neg(point.w.get_mpz_t(), point.w.get_mpz_t());
     }
+    point.near_x = quotient(point.x, point.w);
+    point.near_y = quotient(point.y, point.w);
     return &point;
 }
 
-/// 1 to the left, 0 on the line, -1 to the right.
+/// 1 to the left, 0 on the line, -1 to the right. Requires: a point of the pixel.
 int Splitting::side(const Line& line, const HomogeneousPoint& point) {
+    const double value = line.near_a * point.near_x + line.near_b * point.near_y + line.near_c;
+    if (std::abs(value) > kUncertainValue) return value > 0 ? 1 : -1;
     mpz_mul(sum_.get_mpz_t(), line.a.get_mpz_t(), point.x.get_mpz_t());
     mpz_addmul(sum_.get_mpz_t(), line.b.get_mpz_t(), point.y.get_mpz_t());
     mpz_addmul(sum_.get_mpz_t(), line.c.get_mpz_t(), point.w.get_mpz_t());
@@ -202,14 +249,16 @@ std::vector<const HomogeneousPoint*> Splitting::hull(std::span<const Point> outl
     });
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     std::vector<const HomogeneousPoint*> exact;
-    const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(bits_);
-    for (const Point& p : sorted)
+    for (const Point& p : sorted) {
+        const int bits = std::max(bits_after_the_point(p.x), bits_after_the_point(p.y));
+        const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(bits);
         exact.push_back(&points_.emplace_back(
-            HomogeneousPoint{scaled(p.x, bits_) - pixel_.x * one, scaled(p.y, bits_) - pixel_.y * one, 1}));
+            HomogeneousPoint{scaled(p.x, bits) - pixel_.x * one, scaled(p.y, bits) - pixel_.y * one, one}));
+    }
     if (exact.size() < 3) return {};
 
     const auto turns_left = [](const HomogeneousPoint& p, const HomogeneousPoint& q, const HomogeneousPoint& r) {
-        return (q.x - p.x) * (r.y - p.y) > (q.y - p.y) * (r.x - p.x);
+        return p.x * (q.y * r.w - r.y * q.w) + p.y * (r.x * q.w - q.x * r.w) + p.w * (q.x * r.y - r.x * q.y) > 0;
     };
     std::vector<const HomogeneousPoint*> ring;
     const auto add_chain = [&](auto from, auto to) {
@@ -243,25 +292,27 @@ ConvexPolygon Splitting::where_nearer(std::size_t other, std::size_t face) {
     const DepthPlane& v = faces_[face].depth;
     int bits = 0;
     for (const double value : {u.a, u.b, u.c, v.a, v.b, v.c}) bits = std::max(bits, bits_after_the_point(value));
-    // With x = X / 2^s, the difference of the planes is taken 2^(bits + s) times.
     Line difference{scaled(u.a, bits) - scaled(v.a, bits), scaled(u.b, bits) - scaled(v.b, bits),
                     scaled(u.c, bits) - scaled(v.c, bits)};
     difference.c += difference.a * pixel_.x + difference.b * pixel_.y;
-    difference.c <<= static_cast<mp_bitcnt_t>(bits_);
-    shorten(difference);
     if (difference.a == 0 && difference.b == 0) {
         const bool smaller = std::pair(faces_[other].id, other) < std::pair(faces_[face].id, face);
         const bool nearer = difference.c != 0 ? difference.c > 0 : smaller;
         return nearer ? polygon : ConvexPolygon{};
     }
-    return split(polygon, &lines_.emplace_back(std::move(difference))).left;
+    return split(polygon, add_line(std::move(difference))).left;
 }
 
 /// Takes `hiding` away from every piece: what lies right of one of its lines stays.
 void Splitting::subtract(std::vector<ConvexPolygon>& pieces, const ConvexPolygon& hiding) {
     if (hiding.empty()) return;
+    const Box box = box_of(hiding);
     std::vector<ConvexPolygon> left_over;
     for (ConvexPolygon& piece : pieces) {
+        if (box.apart_from(box_of(piece))) {
+            left_over.push_back(std::move(piece));
+            continue;
+        }
         ConvexPolygon inside = piece;
         const std::size_t before = left_over.size();
         for (const Corner& corner : hiding) {
@@ -277,68 +328,80 @@ void Splitting::subtract(std::vector<ConvexPolygon>& pieces, const ConvexPolygon
     pieces = std::move(left_over);
 }
 
-/// A fraction that need not be in lowest terms.
-struct Fraction {
-    mpz_class over, under;
-};
-
-/// The sum, by halves, so that the numbers multiplied are of like length.
-Fraction sum(std::span<const Fraction> terms) {
-    if (terms.empty()) return {0, 1};
+/// The sum, by halves, so that the numbers added are of like length.
+mpq_class sum(std::span<const mpq_class> terms) {
+    if (terms.empty()) return 0;
     if (terms.size() == 1) return terms[0];
-    const Fraction first = sum(terms.first(terms.size() / 2));
-    const Fraction second = sum(terms.last(terms.size() - terms.size() / 2));
-    return {first.over * second.under + second.over * first.under, first.under * second.under};
+    return sum(terms.first(terms.size() / 2)) + sum(terms.last(terms.size() - terms.size() / 2));
 }
 
 /// The area of all pieces together, in square pixels.
 ///
-/// Twice the area is the sum over all sides p q of the cross product p x q. Along A x + B y + C = 0 the side
-/// is q - p = t (B, -A), and p x q = C t: a difference of two values that belong to an end and its line. An end
-/// between two neighbouring pieces occurs with either sign and drops out before any fraction is added.
+/// Twice the area is the sum over all sides p q of the cross product p x q. Along a x + b y + c = 0 the side
+/// is q - p = t (b, -a), and p x q = c t: a difference of two values that belong to an end and its line. An end
+/// between two neighbouring pieces occurs with either sign and drops out. The ends left on a line are paired
+/// in any way, for the sum is the same; each pair gives one fraction.
 mpq_class Splitting::area(std::span<const ConvexPolygon> pieces) {
     struct End {
-        const HomogeneousPoint* point;
         const Line* line;
-        long count;
-        bool operator<(const End& other) const {
-            return std::pair(point, line) < std::pair(other.point, other.line);
-        }
+        const HomogeneousPoint* point;
+        int count;
     };
     std::vector<End> ends;
     for (const ConvexPolygon& piece : pieces)
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            ends.push_back({piece[i].point, piece[i].line, -1});
-            ends.push_back({piece[(i + 1) % piece.size()].point, piece[i].line, 1});
+            if (piece[i].line->c == 0) continue;
+            ends.push_back({piece[i].line, piece[i].point, -1});
+            ends.push_back({piece[i].line, piece[(i + 1) % piece.size()].point, 1});
         }
-    std::ranges::sort(ends, std::less<>());
+    std::ranges::sort(ends, std::less<>(), [](const End& end) { return std::pair(end.line, end.point); });
 
-    std::vector<Fraction> terms;
+    std::vector<mpq_class> terms;
+    std::vector<const HomogeneousPoint*> starts, finishes;
     for (std::size_t i = 0; i < ends.size();) {
-        const auto& [point, line, unused] = ends[i];
-        long count = 0;
-        for (; i < ends.size() && ends[i].point == point && ends[i].line == line; ++i) count += ends[i].count;
-        if (count == 0 || line->c == 0) continue;
-        if (line->b != 0)
-            terms.push_back({count * line->c * point->x, line->b * point->w});
-        else
-            terms.push_back({-count * line->c * point->y, line->a * point->w});
+        const auto [line, point, unused] = ends[i];
+        int count = 0;
+        for (; i < ends.size() && ends[i].line == line && ends[i].point == point; ++i) count += ends[i].count;
+        for (; count < 0; ++count) starts.push_back(point);
+        for (; count > 0; --count) finishes.push_back(point);
+        if (i < ends.size() && ends[i].line == line) continue;
+        for (std::size_t pair = 0; pair < starts.size(); ++pair) {
+            const HomogeneousPoint &p = *starts[pair], &q = *finishes[pair];
+            terms.emplace_back(p.x * q.y - q.x * p.y, p.w * q.w).canonicalize();
+        }
+        starts.clear();
+        finishes.clear();
     }
-    const Fraction twice = sum(terms);
-    mpq_class area(twice.over, twice.under << static_cast<mp_bitcnt_t>(2 * bits_ + 1));
-    area.canonicalize();
-    return area;
+    return sum(terms) / 2;
+}
+
+/// Positions in the list, the face that probably hides most first. Only speed depends on it.
+std::vector<std::size_t> Splitting::likely_hiding() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+        if (!polygons_[i].empty()) order.push_back(i);
+    if (nearness_ == Nearness::InOrder) return order;
+    std::vector<double> in_middle;
+    for (const auto& [id, outline, depth] : faces_)
+        in_middle.push_back(depth.a * (pixel_.x + 0.5) + depth.b * (pixel_.y + 0.5) + depth.c);
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
+        return std::isnan(in_middle[i]) ? 0 : in_middle[i];
+    });
+    return order;
 }
 
 ExactAreas Splitting::areas() {
     ExactAreas result;
+    const std::vector<std::size_t> order = likely_hiding();
     std::vector<ConvexPolygon> background = {square_};
     mpq_class total = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         std::vector<ConvexPolygon> visible = {polygons_[i]};
         if (polygons_[i].empty()) visible.clear();
-        for (std::size_t j = 0; j < faces_.size() && !visible.empty(); ++j)
-            if (j != i && !polygons_[j].empty()) subtract(visible, where_nearer(j, i));
+        for (const std::size_t j : order) {
+            if (visible.empty()) break;
+            if (j != i && !boxes_[j].apart_from(boxes_[i])) subtract(visible, where_nearer(j, i));
+        }
         subtract(background, polygons_[i]);
         const mpq_class seen = area(visible);
         total += seen;
