@@ -118,7 +118,8 @@ double JsonNode::number(NumberRange range) const {
 }
 
 int JsonNode::integer(int low, int high) const {
-    if (!value_->is_number_integer()) fail(fmt::format("must be a whole number, not {}", kind_of(*value_)));
+    const bool whole = value_->is_number() && std::floor(value_->get<double>()) == value_->get<double>();
+    if (!whole) fail(fmt::format("must be a whole number, not {}", kind_of(*value_)));
     const auto value = value_->get<double>();
     if (value < low || value > high) fail(fmt::format("must be from {} to {}, not {}", low, high, value));
     return static_cast<int>(value);
