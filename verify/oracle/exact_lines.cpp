@@ -53,32 +53,40 @@ int least_exponent(std::initializer_list<double> values) {
     return least;
 }
 
-/// 2^exponent as a factor for what `leading` gave, near 1.
+/// value * 2^exponent; std::ldexp in the range that occurs here, without its checks.
+long double scaled(long double value, int exponent) {
+    return value * static_cast<long double>(std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52));
+}
+
 double scaled_double(const Leading& number, int exponent) {
-    return static_cast<double>(std::ldexp(number.mantissa, number.exponent + exponent));
+    return static_cast<double>(scaled(number.mantissa, number.exponent + exponent));
 }
 
 }  // namespace
 
 void ExactLines::start(PixelIndex pixel) {
     pixel_ = pixel;
-    lines_.clear();
-    exact_lines_.clear();
+    if (lines_.empty()) add_borders();
+    lines_.resize(4);
+    exact_lines_.resize(4);
+    for (Line& border : lines_) border.any_length = -1;
+    forget_vertices_from(4);
     long_lines_.clear();
-    vertices_.clear();
-    exact_vertices_.clear();
-    long_vertices_.clear();
     corners_.forget_all();
     edges_.forget_all();
+}
+
+/// The same for every pixel, since coordinates are pixel-local.
+void ExactLines::add_borders() {
     const Int128 one = static_cast<Int128>(1) << kUnitBits;
     const auto border = [this, one](int a, int b, int c) {
         const WideInteger<4> away = WideInteger<2>(one) * WideInteger<2>(c);
         add_line(ExactLine{WideInteger<2>(a), WideInteger<2>(b), away}, -1, -1);
     };
-    border(0, 1, 0);    // y >= 0
-    border(-1, 0, 1);   // x <= 1
-    border(0, -1, 1);   // y <= 1
-    border(1, 0, 0);    // x >= 0
+    border(0, 1, 0);   // y >= 0
+    border(-1, 0, 1);  // x <= 1
+    border(0, -1, 1);  // y <= 1
+    border(1, 0, 0);   // x >= 0
     for (LineId i = 0; i < 4; ++i) meeting_point((i + 3) % 4, i);
 }
 
@@ -91,6 +99,7 @@ LineId ExactLines::add_line(const ExactLine& line, std::int32_t from, std::int32
     rounded.uncertain = kValueError * (std::abs(rounded.a) + std::abs(rounded.b) + std::abs(rounded.c));
     rounded.from = from;
     rounded.to = to;
+    rounded.fits = true;
     rounded.any_length = -1;
     lines_.push_back(rounded);
     exact_lines_.push_back(line);
@@ -118,6 +127,7 @@ LineId ExactLines::add_line(AnyLength&& line, std::int32_t from, std::int32_t to
     rounded.uncertain = kValueError * (std::abs(rounded.a) + std::abs(rounded.b) + std::abs(rounded.c));
     rounded.from = from;
     rounded.to = to;
+    rounded.fits = false;
     rounded.any_length = static_cast<std::int32_t>(long_lines_.size());
     long_lines_.push_back(std::move(line));
     lines_.push_back(rounded);
@@ -193,19 +203,16 @@ SidedLine ExactLines::line_of_equal_depth(const DepthPlane& nearer, const DepthP
     return {add_line(AnyLength{a, b, c << kUnitBits}, -1, -1), 1};
 }
 
-/// x/w in pixels, in units of 2^-kFixedBits. Either is known to 2^-63 of its size and the quotient is rounded by 2^-64
-/// of its own, which is at most 1: together 1.25 units, and half a unit for the whole number, below 2.
-void ExactLines::place(Vertex& vertex, const ExactVertex& exact) const {
-    const Leading w = leading(exact.w);
-    const auto fixed = [&w](const Leading& over) {
-        const int exponent = over.exponent - w.exponent - kUnitBits + kFixedBits;
-        return static_cast<std::int64_t>(std::llrint(std::ldexp(over.mantissa / w.mantissa, exponent)));
-    };
-    vertex.fixed_x = fixed(leading(exact.x));
-    vertex.fixed_y = fixed(leading(exact.y));
-    vertex.x = static_cast<double>(vertex.fixed_x) * 0x1p-62;
-    vertex.y = static_cast<double>(vertex.fixed_y) * 0x1p-62;
+namespace {
+
+/// over / under in pixels, in units of 2^-kFixedBits. Either is known to 2^-63 of its size and the quotient is rounded by
+/// 2^-64 of its own, which is at most 1: together 1.25 units, and half a unit for the whole number, below 2.
+std::int64_t fixed_quotient(const Leading& over, const Leading& under) {
+    constexpr int kUnits = ExactLines::kFixedBits - kUnitBits;
+    return std::llrint(scaled(over.mantissa / under.mantissa, over.exponent - under.exponent + kUnits));
 }
+
+}  // namespace
 
 VertexId ExactLines::meeting_point(LineId first, LineId second) {
     Vertex vertex{};
@@ -217,62 +224,94 @@ VertexId ExactLines::meeting_point(LineId first, LineId second) {
     vertex.corner = -1;
     if (l.from >= 0 && (l.from == m.from || l.from == m.to)) vertex.corner = l.from;
     if (l.to >= 0 && (l.to == m.from || l.to == m.to)) vertex.corner = l.to;
-    if (l.any_length >= 0 || m.any_length >= 0) return meeting_point_of_any_length(vertex);
+    if (!l.fits || !m.fits) return meeting_point_of_any_length(vertex);
 
     const ExactLine& p = exact_lines_[static_cast<std::size_t>(first)];
     const ExactLine& q = exact_lines_[static_cast<std::size_t>(second)];
     ExactVertex exact{p.b * q.c - q.b * p.c, q.a * p.c - p.a * q.c, p.a * q.b - q.a * p.b};
     if (exact.w.negative()) exact = {-exact.x, -exact.y, -exact.w};
-    place(vertex, exact);
+    const Leading under = leading(exact.w);
+    vertex.fixed_x = fixed_quotient(leading(exact.x), under);
+    vertex.fixed_y = fixed_quotient(leading(exact.y), under);
+    vertex.x = static_cast<double>(vertex.fixed_x) * 0x1p-62;
+    vertex.y = static_cast<double>(vertex.fixed_y) * 0x1p-62;
     vertices_.push_back(vertex);
     exact_vertices_.push_back(exact);
     return static_cast<VertexId>(vertices_.size() - 1);
 }
 
-ExactLines::AnyLength ExactLines::any_length_line(LineId line) const {
-    const Line& l = lines_[static_cast<std::size_t>(line)];
-    if (l.any_length >= 0) return long_lines_[static_cast<std::size_t>(l.any_length)];
-    const ExactLine& exact = exact_lines_[static_cast<std::size_t>(line)];
-    AnyLength result;
-    assign(result.x.get_mpz_t(), exact.a);
-    assign(result.y.get_mpz_t(), exact.b);
-    assign(result.w.get_mpz_t(), exact.c);
-    return result;
+const ExactLines::AnyLength& ExactLines::any_length_line(LineId line) {
+    Line& l = lines_[static_cast<std::size_t>(line)];
+    if (l.any_length < 0) {
+        const ExactLine& exact = exact_lines_[static_cast<std::size_t>(line)];
+        l.any_length = static_cast<std::int32_t>(long_lines_.size());
+        AnyLength& copy = long_lines_.emplace_back();
+        assign(copy.x.get_mpz_t(), exact.a);
+        assign(copy.y.get_mpz_t(), exact.b);
+        assign(copy.w.get_mpz_t(), exact.c);
+    }
+    return long_lines_[static_cast<std::size_t>(l.any_length)];
 }
 
+namespace {
+
+/// result = p s - q r
+void determinant(mpz_class& result, const mpz_class& p, const mpz_class& q, const mpz_class& r,
+                 const mpz_class& s) {
+    mpz_mul(result.get_mpz_t(), p.get_mpz_t(), s.get_mpz_t());
+    mpz_submul(result.get_mpz_t(), q.get_mpz_t(), r.get_mpz_t());
+}
+
+}  // namespace
+
 VertexId ExactLines::meeting_point_of_any_length(Vertex vertex) {
-    const AnyLength p = any_length_line(vertex.first), q = any_length_line(vertex.second);
-    AnyLength exact{p.y * q.w - q.y * p.w, q.x * p.w - p.x * q.w, p.x * q.y - q.x * p.y};
-    if (exact.w < 0) exact = {-exact.x, -exact.y, -exact.w};
-    const mpz_class unit = exact.w << (kUnitBits - kFixedBits);
-    vertex.fixed_x = mpz_class(exact.x / unit).get_si();  // cut off: less than one unit
-    vertex.fixed_y = mpz_class(exact.y / unit).get_si();
+    const AnyLength& p = any_length_line(vertex.first);
+    const AnyLength& q = any_length_line(vertex.second);
+    vertex.any_length = static_cast<std::int32_t>(long_vertices_.size());
+    AnyLength& exact = long_vertices_.emplace_back();
+    determinant(exact.x, p.y, p.w, q.y, q.w);
+    determinant(exact.y, p.w, p.x, q.w, q.x);
+    determinant(exact.w, p.x, p.y, q.x, q.y);
+    if (exact.w < 0)
+        for (mpz_class* part : {&exact.x, &exact.y, &exact.w}) mpz_neg(part->get_mpz_t(), part->get_mpz_t());
+
+    // x / w in pixels is x / (2^kUnitBits w); cut off, that is, less than one unit off.
+    mpz_mul_2exp(sum_.w.get_mpz_t(), exact.w.get_mpz_t(), kUnitBits - kFixedBits);
+    mpz_tdiv_q(sum_.x.get_mpz_t(), exact.x.get_mpz_t(), sum_.w.get_mpz_t());
+    mpz_tdiv_q(sum_.y.get_mpz_t(), exact.y.get_mpz_t(), sum_.w.get_mpz_t());
+    vertex.fixed_x = sum_.x.get_si();
+    vertex.fixed_y = sum_.y.get_si();
     vertex.x = static_cast<double>(vertex.fixed_x) * 0x1p-62;
     vertex.y = static_cast<double>(vertex.fixed_y) * 0x1p-62;
-    vertex.any_length = static_cast<std::int32_t>(long_vertices_.size());
-    long_vertices_.push_back(std::move(exact));
     vertices_.push_back(vertex);
     exact_vertices_.emplace_back();
     return static_cast<VertexId>(vertices_.size() - 1);
 }
 
-int ExactLines::exact_side(const Vertex& v, VertexId vertex, LineId line) const {
-    if (v.any_length < 0 && lines_[static_cast<std::size_t>(line)].any_length < 0) {
-        const ExactLine& l = exact_lines_[static_cast<std::size_t>(line)];
-        const ExactVertex& exact = exact_vertices_[static_cast<std::size_t>(vertex)];
-        return (l.a * exact.x + l.b * exact.y + l.c * exact.w).sign();
-    }
-    const AnyLength l = any_length_line(line);
-    AnyLength exact;
-    if (v.any_length >= 0) {
-        exact = long_vertices_[static_cast<std::size_t>(v.any_length)];
+int ExactLines::exact_side(VertexId vertex, LineId line) {
+    if (vertices_[static_cast<std::size_t>(vertex)].any_length >= 0 || !lines_[static_cast<std::size_t>(line)].fits)
+        return side_of_any_length(vertex, line);
+    const ExactLine& l = exact_lines_[static_cast<std::size_t>(line)];
+    const ExactVertex& exact = exact_vertices_[static_cast<std::size_t>(vertex)];
+    return (l.a * exact.x + l.b * exact.y + l.c * exact.w).sign();
+}
+
+int ExactLines::side_of_any_length(VertexId vertex, LineId line) {
+    const AnyLength& l = any_length_line(line);
+    const AnyLength* exact = &point_;
+    const std::int32_t place = vertices_[static_cast<std::size_t>(vertex)].any_length;
+    if (place >= 0) {
+        exact = &long_vertices_[static_cast<std::size_t>(place)];
     } else {
         const ExactVertex& wide = exact_vertices_[static_cast<std::size_t>(vertex)];
-        assign(exact.x.get_mpz_t(), wide.x);
-        assign(exact.y.get_mpz_t(), wide.y);
-        assign(exact.w.get_mpz_t(), wide.w);
+        assign(point_.x.get_mpz_t(), wide.x);
+        assign(point_.y.get_mpz_t(), wide.y);
+        assign(point_.w.get_mpz_t(), wide.w);
     }
-    return sgn(mpz_class(l.x * exact.x + l.y * exact.y + l.w * exact.w));
+    mpz_mul(sum_.x.get_mpz_t(), l.x.get_mpz_t(), exact->x.get_mpz_t());
+    mpz_addmul(sum_.x.get_mpz_t(), l.y.get_mpz_t(), exact->y.get_mpz_t());
+    mpz_addmul(sum_.x.get_mpz_t(), l.w.get_mpz_t(), exact->w.get_mpz_t());
+    return sgn(sum_.x);
 }
 
 void ExactLines::forget_vertices_from(std::size_t count) {

@@ -32,9 +32,9 @@ struct SidedLine {
 /// Coordinates are pixel-local, in units of 2^-kUnitBits pixels.
 class ExactLines {
   public:
-    /// Twice an area, in these units to the square, is what `twice_area` sums.
+    /// `Vertex::fixed_x` counts 2^-kFixedBits pixels.
     static constexpr int kFixedBits = 62;
-    /// |coordinate of `Vertex` - exact| in pixels, for either coordinate (derivation in exact_lines.cpp).
+    /// Pixels by which either fixed coordinate may be off (derivation in exact_lines.cpp).
     static constexpr double kVertexError = 0x1p-61;
 
     struct Vertex {
@@ -58,7 +58,7 @@ class ExactLines {
     SidedLine line_of_equal_depth(const DepthPlane& nearer, const DepthPlane& farther);
 
     /// -1, 0, 1: right of, on, left of the line. Exact. Requires: the vertex is in the pixel.
-    int side(VertexId vertex, LineId line) const {
+    int side(VertexId vertex, LineId line) {
         const Vertex& v = vertices_[static_cast<std::size_t>(vertex)];
         const Line& l = lines_[static_cast<std::size_t>(line)];
         if (v.first == line || v.second == line) return 0;
@@ -66,9 +66,9 @@ class ExactLines {
         const double value = l.a * v.x + l.b * v.y + l.c;
         if (value > l.uncertain) return 1;
         if (value < -l.uncertain) return -1;
-        return exact_side(v, vertex, line);
+        return exact_side(vertex, line);
     }
-    int side(VertexId vertex, SidedLine line) const { return line.sense * side(vertex, line.line); }
+    int side(VertexId vertex, SidedLine line) { return line.sense * side(vertex, line.line); }
 
     /// Requires: the lines cross at one point of the pixel.
     VertexId meeting_point(LineId first, LineId second);
@@ -82,10 +82,11 @@ class ExactLines {
   private:
     /// a x + b y + c, twice: rounded, and exact where it fits.
     struct Line {
-        double a, b, c;       ///< each within 2^-52 of its size, up to a common factor
-        double uncertain;     ///< values of this size or less say nothing about the sign
-        std::int32_t from, to;  ///< the outlines' corners that it leads through, or -1
-        std::int32_t any_length;
+        double a, b, c;           ///< each within 2^-52 of its size, up to a common factor
+        double uncertain;         ///< values of this size or less say nothing about the sign
+        std::int32_t from, to;    ///< the outlines' corners that it leads through, or -1
+        bool fits;                ///< its `exact_lines_` entry holds it
+        std::int32_t any_length;  ///< its place in `long_lines_`, or -1 if it has not been needed there
     };
     struct ExactLine {
         WideInteger<2> a, b;
@@ -99,23 +100,25 @@ class ExactLines {
         mpz_class x, y, w;  ///< of a line: a, b, c
     };
 
-    int exact_side(const Vertex& v, VertexId vertex, LineId line) const;
+    int exact_side(VertexId vertex, LineId line);
+    int side_of_any_length(VertexId vertex, LineId line);
+    void add_borders();
     LineId add_line(const ExactLine& line, std::int32_t from, std::int32_t to);
     LineId add_line(AnyLength&& line, std::int32_t from, std::int32_t to);
     std::int32_t corner(Point p);
-    AnyLength any_length_line(LineId line) const;
-    void place(Vertex& vertex, const ExactVertex& exact) const;
+    const AnyLength& any_length_line(LineId line);
     VertexId meeting_point_of_any_length(Vertex vertex);
 
     PixelIndex pixel_;
     std::vector<Line> lines_;
     std::vector<ExactLine> exact_lines_;
-    std::vector<AnyLength> long_lines_;
+    std::deque<AnyLength> long_lines_;  ///< their addresses last
     std::vector<Vertex> vertices_;
     std::vector<ExactVertex> exact_vertices_;
     std::vector<AnyLength> long_vertices_;
     KeyTable corners_;
     KeyTable edges_;
+    AnyLength point_, sum_;  ///< kept, so that their memory is
 };
 
 }  // namespace keikan::oracle
