@@ -129,6 +129,7 @@ LineId ExactLines::add_line(AnyLength&& line, std::int32_t from, std::int32_t to
     rounded.to = to;
     rounded.fits = false;
     rounded.any_length = static_cast<std::int32_t>(long_lines_.size());
+    line.round();
     long_lines_.push_back(std::move(line));
     lines_.push_back(rounded);
     exact_lines_.emplace_back();
@@ -169,7 +170,7 @@ SidedLine ExactLines::line_through(Point p, Point q) {
     const mpz_class qx = whole_number_of_any_length(q.x, n) - pixel_.x * one;
     const mpz_class qy = whole_number_of_any_length(q.y, n) - pixel_.y * one;
     const auto finer = static_cast<mp_bitcnt_t>(n - kUnitBits);
-    known = add_line(AnyLength{(py - qy) << finer, (qx - px) << finer, px * qy - py * qx}, from, to);
+    known = add_line(AnyLength{(py - qy) << finer, (qx - px) << finer, px * qy - py * qx, 0, 0, 0}, from, to);
     return {known, sense};
 }
 
@@ -200,7 +201,7 @@ SidedLine ExactLines::line_of_equal_depth(const DepthPlane& nearer, const DepthP
     for (std::size_t i = 0; i < 6; ++i) number[i] = whole_number_of_any_length(values[i], -least);
     const mpz_class a = number[0] - number[3], b = number[1] - number[4];
     const mpz_class c = number[2] - number[5] + a * pixel_.x + b * pixel_.y;
-    return {add_line(AnyLength{a, b, c << kUnitBits}, -1, -1), 1};
+    return {add_line(AnyLength{a, b, c << kUnitBits, 0, 0, 0}, -1, -1), 1};
 }
 
 namespace {
@@ -240,6 +241,17 @@ VertexId ExactLines::meeting_point(LineId first, LineId second) {
     return static_cast<VertexId>(vertices_.size() - 1);
 }
 
+void ExactLines::AnyLength::round() {
+    const auto rounded = [](const mpz_class& value) {
+        long exponent = 0;
+        const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t());
+        return std::ldexp(static_cast<long double>(mantissa), static_cast<int>(exponent));
+    };
+    near_x = rounded(x);
+    near_y = rounded(y);
+    near_w = rounded(w);
+}
+
 const ExactLines::AnyLength& ExactLines::any_length_line(LineId line) {
     Line& l = lines_[static_cast<std::size_t>(line)];
     if (l.any_length < 0) {
@@ -249,6 +261,7 @@ const ExactLines::AnyLength& ExactLines::any_length_line(LineId line) {
         assign(copy.x.get_mpz_t(), exact.a);
         assign(copy.y.get_mpz_t(), exact.b);
         assign(copy.w.get_mpz_t(), exact.c);
+        copy.round();
     }
     return long_lines_[static_cast<std::size_t>(l.any_length)];
 }
@@ -274,6 +287,7 @@ VertexId ExactLines::meeting_point_of_any_length(Vertex vertex) {
     determinant(exact.w, p.x, p.y, q.x, q.y);
     if (exact.w < 0)
         for (mpz_class* part : {&exact.x, &exact.y, &exact.w}) mpz_neg(part->get_mpz_t(), part->get_mpz_t());
+    exact.round();
 
     // x / w in pixels is x / (2^kUnitBits w); cut off, that is, less than one unit off.
     mpz_mul_2exp(sum_.w.get_mpz_t(), exact.w.get_mpz_t(), kUnitBits - kFixedBits);
@@ -307,7 +321,14 @@ int ExactLines::side_of_any_length(VertexId vertex, LineId line) {
         assign(point_.x.get_mpz_t(), wide.x);
         assign(point_.y.get_mpz_t(), wide.y);
         assign(point_.w.get_mpz_t(), wide.w);
+        point_.round();
     }
+    // Six factors within 2^-52, five roundings by 2^-64. What is too large for the type compares as false.
+    const long double first = l.near_x * exact->near_x, second = l.near_y * exact->near_y;
+    const long double third = l.near_w * exact->near_w, value = first + second + third;
+    const long double uncertain = 0x1p-50L * (std::abs(first) + std::abs(second) + std::abs(third));
+    if (value > uncertain) return 1;
+    if (value < -uncertain) return -1;
     mpz_mul(sum_.x.get_mpz_t(), l.x.get_mpz_t(), exact->x.get_mpz_t());
     mpz_addmul(sum_.x.get_mpz_t(), l.y.get_mpz_t(), exact->y.get_mpz_t());
     mpz_addmul(sum_.x.get_mpz_t(), l.w.get_mpz_t(), exact->w.get_mpz_t());

@@ -97,7 +97,10 @@ class ExactLines {
         WideInteger<4> w;
     };
     struct AnyLength {
-        mpz_class x, y, w;  ///< of a line: a, b, c
+        mpz_class x, y, w;                   ///< of a line: a, b, c
+        long double near_x, near_y, near_w;  ///< within 2^-52 of their size, unless too large for the type
+
+        void round();
     };
 
     int exact_side(VertexId vertex, LineId line);
@@ -118,7 +121,7 @@ class ExactLines {
     std::vector<AnyLength> long_vertices_;
     KeyTable corners_;
     KeyTable edges_;
-    AnyLength point_, sum_;  ///< kept, so that their memory is
+    AnyLength point_{}, sum_{};  ///< kept, so that their memory is
 };
 
 }  // namespace keikan::oracle
