@@ -2,6 +2,7 @@
 #include "convex_outline.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "double_double.hpp"
@@ -15,20 +16,47 @@ bool before(Point a, Point b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
+/// orient2d for points that mostly do not line up: the filter is tried on the spot.
+Sign turn(Point a, Point b, Point c) {
+    const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
+    constexpr double kFilter = 4 * kHalfUlp;
+    const double error = kFilter * (std::abs(left) + std::abs(right)) + 0x1p-960;
+    const double determinant = left - right;
+    if (determinant > error && error < HUGE_VAL) return Sign::Positive;
+    if (determinant < -error && error < HUGE_VAL) return Sign::Negative;
+    return orient2d(a, b, c);
+}
+
+// Sets of four, as in EdgeView.
+using Set = unsigned;
+constexpr Set kAll = 15;
+constexpr Set bit(bool member, unsigned k) {
+    return static_cast<Set>(member) << k;
+}
+/// Bit k of the result: bit k + 1 of `set`, around the pixel.
+constexpr Set next(Set set) {
+    return (set >> 1 | set << 3) & kAll;
+}
+
 /// The pixel's four border lines in image coordinates, as doubles without error.
 struct Borders {
     double left, right, low, high;
     explicit Borders(PixelIndex pixel) : left(pixel.x), right(left + 1), low(pixel.y), high(low + 1) {}
+
+    Set beyond(Point p) const {
+        return bit(p.y < low, 0) | bit(p.x > right, 1) | bit(p.y > high, 2) | bit(p.x < left, 3);
+    }
+    Set on_or_beyond(Point p) const {
+        return bit(p.y <= low, 0) | bit(p.x >= right, 1) | bit(p.y >= high, 2) | bit(p.x <= left, 3);
+    }
+    Point corner(unsigned k) const { return {k == 1 || k == 2 ? right : left, k >= 2 ? high : low}; }
 };
 
-/// The borders beyond which a point lies; none for a point of the pixel.
-enum Beyond : unsigned { kLeft = 1, kRight = 2, kLow = 4, kHigh = 8 };
+struct CornerSides {
+    Set inside = 0, outside = 0;
+};
 
-unsigned beyond(const Borders& pixel, Point p) {
-    return (p.x < pixel.left ? kLeft : 0u) | (p.x > pixel.right ? kRight : 0u) |
-           (p.y < pixel.low ? kLow : 0u) | (p.y > pixel.high ? kHigh : 0u);
-}
-
+/// The exact sides of the pixel's corners, seen from the edge p q.
 CornerSides corner_sides(const Borders& pixel, Point p, Point q) {
     const double dx = q.x - p.x, dy = q.y - p.y;
     const double low = dx * (pixel.low - p.y), high = dx * (pixel.high - p.y);
@@ -40,64 +68,79 @@ CornerSides corner_sides(const Borders& pixel, Point p, Point q) {
         0x1p-960;
     const double side[4] = {low - left, low - right, high - right, high - left};
     CornerSides sides;
-    unsigned inside = 0, outside = 0;
     for (unsigned k = 0; k < 4; ++k) {
-        inside |= static_cast<unsigned>(side[k] > error) << k;
-        outside |= static_cast<unsigned>(side[k] < -error) << k;
+        sides.inside |= bit(side[k] > error, k);
+        sides.outside |= bit(side[k] < -error, k);
     }
-    if ((inside | outside) != 15u) [[unlikely]] {  // too close to call, or not finite: the exact sign
-        const Point corners[4] = {{pixel.left, pixel.low},
-                                  {pixel.right, pixel.low},
-                                  {pixel.right, pixel.high},
-                                  {pixel.left, pixel.high}};
-        for (unsigned k = 0; k < 4; ++k) {
-            if (((inside | outside) >> k & 1u) != 0) continue;
-            const Sign sign = orient2d(p, q, corners[k]);
-            inside |= static_cast<unsigned>(sign == Sign::Positive) << k;
-            outside |= static_cast<unsigned>(sign == Sign::Negative) << k;
-        }
+    Set open = kAll & ~(sides.inside | sides.outside);
+    for (; open != 0; open &= open - 1) {  // too close to call, or not finite
+        const unsigned k = static_cast<unsigned>(std::countr_zero(open));
+        const Sign sign = orient2d(p, q, pixel.corner(k));
+        sides.inside |= bit(sign == Sign::Positive, k);
+        sides.outside |= bit(sign == Sign::Negative, k);
     }
-    sides.inside = static_cast<std::uint8_t>(inside);
-    sides.outside = static_cast<std::uint8_t>(outside);
     return sides;
 }
 
-/// Where the line p q meets the border u = k, measured along v from `v_origin`.
-/// A point is given as (u, v), so that the same words serve for borders of either direction.
-double crossing_with_border(double k, double v_origin, Point p, Point q) {
+/// x y + z w, with an error below 2^-102 (|x y| + |z w|).
+DoubleDouble sum_of_products(DoubleDouble x, DoubleDouble y, DoubleDouble z, DoubleDouble w) {
+    const DoubleDouble xy = two_product(x.hi, y.hi), zw = two_product(z.hi, w.hi);
+    const DoubleDouble sum = two_sum(xy.hi, zw.hi);
+    const double low = (xy.lo + (x.hi * y.lo + x.lo * y.hi)) + (zw.lo + (z.hi * w.lo + z.lo * w.hi));
+    return quick_two_sum(sum.hi, sum.lo + low);
+}
+
+/// The same, rounded only at the end.
+DoubleDouble exact_sum_of_products(DoubleDouble x, DoubleDouble y, DoubleDouble z, DoubleDouble w) {
+    Expansion<16> sum;
+    const auto add = [&sum](DoubleDouble a, DoubleDouble b) {
+        for (const double s : {a.lo, a.hi})
+            for (const double t : {b.lo, b.hi}) sum.add(two_product(s, t));
+    };
+    add(x, y);
+    add(z, w);
+    return sum.rounded();
+}
+
+/// Where the line p q meets the border x = k, measured along y from `y_origin` and snapped.
+/// For the borders y = k the caller exchanges x and y.
+double crossing_with_border(double k, double y_origin, Point p, Point q) {
     if (before(q, p)) std::swap(p, q);  // the same bits for either direction of travel
-    const double extent =
-        std::max({std::abs(p.x - k), std::abs(q.x - k), std::abs(p.y - v_origin), std::abs(q.y - v_origin)});
+    const double extent = std::max(std::max(std::abs(p.x - k), std::abs(q.x - k)),
+                                   std::max(std::abs(p.y - y_origin), std::abs(q.y - y_origin)));
     double unit = 1;
     if (extent > 0x1p480) [[unlikely]] {  // keep the products finite; what underflows is below 2^-500
         unit = 0x1p-540;
         p = {p.x * unit, p.y * unit};
         q = {q.x * unit, q.y * unit};
         k *= unit;
-        v_origin *= unit;
+        y_origin *= unit;
     }
-    DoubleDouble du = two_difference(q.x, p.x), to_border = two_difference(k, p.x);
-    const DoubleDouble dv = two_difference(q.y, p.y), v = two_difference(p.y, v_origin);
-    if (std::abs(du.hi) < 0x1p-400) [[unlikely]] {  // keep the products above the underflow; the ratio stays
-        du = {du.hi * 0x1p600, du.lo * 0x1p600};
+    DoubleDouble dx = two_difference(q.x, p.x), to_border = two_difference(k, p.x);
+    const DoubleDouble dy = two_difference(q.y, p.y), y = two_difference(p.y, y_origin);
+    if (std::abs(dx.hi) < 0x1p-400) [[unlikely]] {  // keep the products above the underflow; the ratio stays
+        dx = {dx.hi * 0x1p600, dx.lo * 0x1p600};
         to_border = {to_border.hi * 0x1p600, to_border.lo * 0x1p600};
     }
-    DoubleDouble numerator;
-    if (extent < 0x1p40) [[likely]] {
-        // Error across the line: at most 2^-101 * extent < 2^-61 (docs/numerics.md, section 2).
-        numerator = v * du + to_border * dv;
-    } else {
-        Expansion<16> exact;
-        const auto add = [&exact](DoubleDouble a, DoubleDouble b) {
-            for (const double s : {a.lo, a.hi})
-                for (const double t : {b.lo, b.hi}) exact.add(two_product(s, t));
-        };
-        add(v, du);
-        add(to_border, dv);
-        numerator = exact.rounded();
-    }
-    const double along = quotient(numerator, du) / unit;
+    // (y dx + (k - x) dy) / dx. Up to 2^40 pixels the error of the sum moves the point by less than 2^-60
+    // across the line (docs/numerics.md, section 2).
+    const DoubleDouble numerator =
+        extent < 0x1p40 ? sum_of_products(y, dx, to_border, dy) : exact_sum_of_products(y, dx, to_border, dy);
+    const double along = quotient(numerator, dx) / unit;
     return snap(std::clamp(along, 0.0, 1.0));
+}
+
+Point crossing(const Borders& pixel, unsigned border, Point p, Point q) {
+    switch (border) {
+        case 0:
+            return {crossing_with_border(pixel.low, pixel.left, {p.y, p.x}, {q.y, q.x}), 0};
+        case 1:
+            return {1, crossing_with_border(pixel.right, pixel.low, p, q)};
+        case 2:
+            return {crossing_with_border(pixel.high, pixel.left, {p.y, p.x}, {q.y, q.x}), 1};
+        default:
+            return {0, crossing_with_border(pixel.left, pixel.low, p, q)};
+    }
 }
 
 /// A place on the pixel's border, as the way from (0, 0) around it: corner k is at k.
@@ -110,84 +153,92 @@ double way_around(Point p) {
 
 constexpr Point kCorner[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-/// The corners at the two ends of a border, as a set.
-unsigned ends_of(unsigned border) {
-    return border == kLeft ? 0b1001u : border == kRight ? 0b0110u : border == kLow ? 0b0011u : 0b1100u;
-}
-
-/// Whether an edge whose ends lie on different sides of `border` meets the pixel there: exactly when the
-/// ends of the border do not both lie strictly on one side of the edge.
-bool meets(unsigned border, CornerSides sides) {
-    const unsigned ends = ends_of(border);
-    return (sides.inside & ends) != ends && (sides.outside & ends) != ends;
-}
-
-Point crossing(const Borders& pixel, unsigned border, Point p, Point q) {
-    switch (border) {
-        case kLeft:
-            return {0, crossing_with_border(pixel.left, pixel.low, p, q)};
-        case kRight:
-            return {1, crossing_with_border(pixel.right, pixel.low, p, q)};
-        case kLow:
-            return {crossing_with_border(pixel.low, pixel.left, {p.y, p.x}, {q.y, q.x}), 0};
-        default:
-            return {crossing_with_border(pixel.high, pixel.left, {p.y, p.x}, {q.y, q.x}), 1};
-    }
-}
-
 /// Follows the outline and, from where it leaves the pixel to where it enters again, the pixel's border past
 /// those corners that are inside the outline.
 class BorderWalk {
   public:
-    BorderWalk(const Borders& pixel, unsigned corners_inside, std::vector<Point>& ring)
-        : pixel_(pixel), corners_inside_(corners_inside), ring_(ring) {}
+    BorderWalk(const Borders& pixel, Set corners_inside, Point* ring)
+        : pixel_(pixel), corners_inside_(corners_inside), begin_(ring), end_(ring) {}
 
-    void follow(Point p, Point q, CornerSides sides) {
-        const unsigned at_p = beyond(pixel_, p), at_q = beyond(pixel_, q);
-        if (at_p == 0) ring_.push_back({snap(p.x - pixel_.left), snap(p.y - pixel_.low)});
-        if ((at_p & at_q) != 0) return;
-        for (unsigned border = kLeft; border <= kHigh; border <<= 1)
-            if ((at_p & border) != 0 && meets(border, sides)) enter(crossing(pixel_, border, p, q));
-        for (unsigned border = kLeft; border <= kHigh; border <<= 1)
-            if ((at_q & border) != 0 && meets(border, sides)) leave(crossing(pixel_, border, p, q));
+    void follow(Point p, Point q, EdgeView at_p, Set beyond_q) {
+        const Set beyond_p = at_p.beyond;
+        if (beyond_p == 0) push({snap(p.x - pixel_.left), snap(p.y - pixel_.low)});
+        if ((beyond_p & beyond_q) != 0 || (beyond_p | beyond_q) == 0) return;
+        // An edge whose ends lie on different sides of a border line meets the border exactly when the
+        // border's ends do not both lie strictly on one side of the edge.
+        const Set missed = (at_p.inside & next(at_p.inside)) | (at_p.outside & next(at_p.outside));
+        for (Set enters = beyond_p & ~missed; enters != 0; enters &= enters - 1)
+            enter(crossing(pixel_, static_cast<unsigned>(std::countr_zero(enters)), p, q));
+        for (Set leaves = beyond_q & ~missed; leaves != 0; leaves &= leaves - 1)
+            leave(crossing(pixel_, static_cast<unsigned>(std::countr_zero(leaves)), p, q));
     }
 
-    void close() {
-        if (first_entry_known_) follow_border(left_at_, first_entry_);
+    /// The number of points.
+    std::size_t close() {
+        if (first_entry_ >= 0) follow_border(left_at_, first_entry_);
+        return static_cast<std::size_t>(end_ - begin_);
     }
 
   private:
+    void push(Point p) { *end_++ = p; }
     void enter(Point p) {
-        if (outside_) {
+        if (outside_)
             follow_border(left_at_, way_around(p));
-        } else if (ring_.empty()) {  // the border before it is followed last, by close()
-            first_entry_ = way_around(p);
-            first_entry_known_ = true;
-        }
+        else if (end_ == begin_)
+            first_entry_ = way_around(p);  // the border before it is followed last, by close()
         outside_ = false;
-        ring_.push_back(p);
+        push(p);
     }
     void leave(Point p) {
-        ring_.push_back(p);
+        push(p);
         left_at_ = way_around(p);
         outside_ = true;
     }
     /// From a place to itself is the whole way around.
     void follow_border(double from, double to) {
+        if (corners_inside_ == 0) return;
         if (to <= from) to += 4;
         for (int corner = static_cast<int>(from) + 1; corner < to; ++corner)
-            if ((corners_inside_ >> (corner & 3) & 1u) != 0) ring_.push_back(kCorner[corner & 3]);
+            if ((corners_inside_ >> (corner & 3) & 1u) != 0) push(kCorner[corner & 3]);
     }
 
     const Borders& pixel_;
-    unsigned corners_inside_;
-    std::vector<Point>& ring_;
-    double first_entry_ = 0, left_at_ = 0;
-    bool first_entry_known_ = false, outside_ = false;
+    Set corners_inside_;
+    Point* begin_;
+    Point* end_;
+    double first_entry_ = -1, left_at_ = 0;
+    bool outside_ = false;
 };
 
-void start_at_smallest(std::vector<Point>& ring) {
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), before), ring.end());
+/// Whether a ring of snapped points is exactly strictly convex and turns from +x towards +y, once.
+bool is_strictly_convex(const Point* ring, std::size_t n) {
+    if (n < 3) return false;
+    Point last = ring[n - 1];
+    double ux = last.x - ring[n - 2].x, uy = last.y - ring[n - 2].y;
+    bool forward = ux > 0 || (ux == 0 && uy > 0);
+    unsigned reversals = 0;  // of the travel along x (then y): two for one turn around, more for several
+    for (std::size_t i = 0; i < n; ++i) {
+        const double vx = ring[i].x - last.x, vy = ring[i].y - last.y;
+        const double left = ux * vy, right = uy * vx;
+        // The differences are exact: three roundings, none of which can hide more than this.
+        if (left - right <= 2 * kHalfUlp * (std::abs(left) + std::abs(right))) [[unlikely]] {
+            const DoubleDouble exact_left = two_product(ux, vy), exact_right = two_product(uy, vx);
+            if (exact_left.hi < exact_right.hi ||
+                (exact_left.hi == exact_right.hi && exact_left.lo <= exact_right.lo))
+                return false;
+        }
+        const bool now_forward = vx > 0 || (vx == 0 && vy > 0);
+        reversals += now_forward != forward;
+        forward = now_forward;
+        last = ring[i];
+        ux = vx, uy = vy;
+    }
+    return reversals == 2;
+}
+
+std::size_t without_repeats(Point* ring, std::size_t n) {
+    n = static_cast<std::size_t>(std::unique(ring, ring + n) - ring);
+    return n > 1 && ring[0] == ring[n - 1] ? n - 1 : n;
 }
 
 }  // namespace
@@ -195,20 +246,20 @@ void start_at_smallest(std::vector<Point>& ring) {
 Turning turning(std::span<const Point> ring) {
     const std::size_t n = ring.size();
     if (n < 3) return Turning::NotStrictlyConvex;
-    const Sign first = orient2d(ring[n - 2], ring[n - 1], ring[0]);
+    const Sign first = turn(ring[n - 2], ring[n - 1], ring[0]);
     if (first == Sign::Zero) return Turning::NotStrictlyConvex;
-    int reversals = 0;  // of the travel along x (then y): two for one turn around, more for several
+    const Turning found = first == Sign::Positive ? Turning::Positive : Turning::Negative;
+    if (n == 3) return found;
+    unsigned reversals = 0;  // of the travel along x (then y): two for one turn around, more for several
     bool forward = before(ring[n - 1], ring[0]);
     for (std::size_t i = 0; i < n; ++i) {
         const Point p = ring[i], q = ring[i + 1 < n ? i + 1 : 0];
-        if (i + 1 < n && orient2d(ring[i > 0 ? i - 1 : n - 1], p, q) != first)
-            return Turning::NotStrictlyConvex;
+        if (i + 1 < n && turn(ring[i > 0 ? i - 1 : n - 1], p, q) != first) return Turning::NotStrictlyConvex;
         const bool now_forward = before(p, q);
         reversals += now_forward != forward;
         forward = now_forward;
     }
-    if (reversals != 2) return Turning::NotStrictlyConvex;
-    return first == Sign::Positive ? Turning::Positive : Turning::Negative;
+    return reversals == 2 ? found : Turning::NotStrictlyConvex;
 }
 
 void replace_by_hull(std::vector<Point>& points) {
@@ -233,45 +284,54 @@ void replace_by_hull(std::vector<Point>& points) {
 
 bool may_overlap(PixelIndex index, std::span<const Point> outline) {
     const Borders pixel(index);
-    unsigned short_of = kLeft | kRight | kLow | kHigh;  // borders that every point is on or beyond
-    for (const Point p : outline) {
-        short_of &= (p.x <= pixel.left ? kLeft : 0u) | (p.x >= pixel.right ? kRight : 0u) |
-                    (p.y <= pixel.low ? kLow : 0u) | (p.y >= pixel.high ? kHigh : 0u);
-        if (short_of == 0) return true;
-    }
-    return false;
+    Set all = kAll;
+    for (const Point p : outline) all &= pixel.on_or_beyond(p);
+    return all == 0;
 }
 
-Overlap overlap(PixelIndex index, const ConvexOutline& outline, std::vector<CornerSides>& sides) {
+Overlap overlap(PixelIndex index, const ConvexOutline& outline, std::vector<EdgeView>& views) {
     const Borders pixel(index);
     const std::size_t n = outline.size();
-    unsigned outside = 0;
+    Set outside = 0;
+    Point p = outline[0];
     for (std::size_t i = 0; i < n; ++i) {
-        const CornerSides edge = corner_sides(pixel, outline[i], outline[i + 1 < n ? i + 1 : 0]);
-        if (edge.inside == 0) return Overlap::Nothing;
-        outside |= edge.outside;
-        sides.push_back(edge);
+        const Point q = outline[i + 1 < n ? i + 1 : 0];
+        const CornerSides sides = corner_sides(pixel, p, q);
+        if (sides.inside == 0) return Overlap::Nothing;
+        outside |= sides.outside;
+        views.push_back({static_cast<std::uint8_t>(pixel.beyond(p)), static_cast<std::uint8_t>(sides.inside),
+                         static_cast<std::uint8_t>(sides.outside)});
+        p = q;
     }
     return outside == 0 ? Overlap::WholePixel : Overlap::Part;
 }
 
-void clip_to_pixel(PixelIndex index, const ConvexOutline& outline, std::span<const CornerSides> sides,
-                   std::vector<Point>& ring) {
+std::span<const Point> clip_to_pixel(PixelIndex index, const ConvexOutline& outline,
+                                     std::span<const EdgeView> views, std::vector<Point>& scratch) {
     const Borders pixel(index);
     const std::size_t n = outline.size();
-    unsigned outside = 0;
-    for (const CornerSides edge : sides) outside |= edge.outside;
-    ring.clear();
-    BorderWalk walk(pixel, 15u & ~outside, ring);
-    for (std::size_t i = 0; i < n; ++i) walk.follow(outline[i], outline[i + 1 < n ? i + 1 : 0], sides[i]);
-    walk.close();
-    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-    if (turning(ring) != Turning::Positive) {
-        replace_by_hull(ring);
-        if (ring.size() < 3) ring.clear();
+    Set outside = 0;
+    for (const EdgeView& view : views) outside |= view.outside;
+    // An edge adds its start, two crossings with borders at either end, and four corners of the pixel.
+    scratch.resize(9 * n + 8);
+    BorderWalk walk(pixel, kAll & ~outside, scratch.data());
+    Point p = outline[0];
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t following = i + 1 < n ? i + 1 : 0;
+        const Point q = outline[following];
+        walk.follow(p, q, views[i], views[following].beyond);
+        p = q;
     }
-    if (!ring.empty()) start_at_smallest(ring);
+    std::size_t size = without_repeats(scratch.data(), walk.close());
+    if (!is_strictly_convex(scratch.data(), size)) {
+        scratch.resize(size);
+        replace_by_hull(scratch);
+        size = scratch.size();
+        if (size < 3) return {};
+    }
+    const auto begin = scratch.begin(), end = begin + static_cast<std::ptrdiff_t>(size);
+    std::rotate(begin, std::min_element(begin, end, before), end);
+    return {scratch.data(), size};
 }
 
 }  // namespace keikan::clip

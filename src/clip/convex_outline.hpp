@@ -41,27 +41,30 @@ void replace_by_hull(std::vector<Point>& points);
 /// How much of a pixel a face covers, apart from what hides it.
 enum class Overlap { Nothing, Part, WholePixel };
 
-/// On which side of each edge of an outline the pixel's corners lie. Bit k: corner k, counted (0,0), (1,0),
-/// (1,1), (0,1). A corner on the line is in neither set.
-struct CornerSides {
-    std::uint8_t inside = 0;
-    std::uint8_t outside = 0;
+/// Where a corner of an outline and the edge that starts there lie relative to the pixel. As sets:
+/// borders of the pixel, bit 0 to 3: y = 0, x = 1, y = 1, x = 0 (border k runs from corner k to corner k +
+/// 1); corners of the pixel, bit 0 to 3: (0,0), (1,0), (1,1), (0,1).
+struct EdgeView {
+    std::uint8_t beyond = 0;   ///< borders beyond which the starting point lies
+    std::uint8_t inside = 0;   ///< corners strictly inside the edge
+    std::uint8_t outside = 0;  ///< corners strictly outside; one on the line is in neither set
 };
 
 /// Compares bounding boxes only: false if the outline certainly has no area in the pixel.
 bool may_overlap(PixelIndex pixel, std::span<const Point> outline);
 
-/// Classifies the outline by the exact sides of the pixel's corners, which it leaves in `sides`, one for
-/// each edge. WholePixel: no part of the pixel is outside. Part: the outline may yet only touch the pixel.
-Overlap overlap(PixelIndex pixel, const ConvexOutline& outline, std::vector<CornerSides>& sides);
+/// Classifies the outline by exact comparisons, which it appends to `views`, one for each edge. WholePixel:
+/// no part of the pixel is outside. Part: the outline may yet only touch the pixel.
+Overlap overlap(PixelIndex pixel, const ConvexOutline& outline, std::vector<EdgeView>& views);
 
 /// The part of the outline in the pixel, pixel-local, as an exactly strictly convex ring that turns from +x
 /// towards +y and starts at its smallest x (then y). Empty if nothing with area is left.
+/// The ring is in `scratch`, until the next call with the same scratch.
 ///
-/// Error: every coordinate of `ring` is within 3/4 * 2^-53 of the exact one: it was rounded to a double below
-///        1 and then snapped. Corners that this makes coincide or line up are removed.
+/// Error: every coordinate is within 3/4 * 2^-53 of the exact one: it was rounded to a double below 1 and
+///        then snapped. Corners that this makes coincide or line up are removed.
 /// Exact: which edges meet which borders, and which corners of the pixel are inside.
-void clip_to_pixel(PixelIndex pixel, const ConvexOutline& outline, std::span<const CornerSides> sides,
-                   std::vector<Point>& ring);
+std::span<const Point> clip_to_pixel(PixelIndex pixel, const ConvexOutline& outline,
+                                     std::span<const EdgeView> views, std::vector<Point>& scratch);
 
 }  // namespace keikan::clip

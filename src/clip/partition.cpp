@@ -2,6 +2,7 @@
 #include "partition.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace keikan::clip {
 namespace {
@@ -15,58 +16,94 @@ Box intersection(const Box& a, const Box& b) {
             std::min(a.max_y, b.max_y)};
 }
 
+constexpr double kBoxSteps = 32000;
+std::int16_t step_below(double v) {
+    return static_cast<std::int16_t>(kBoxSteps * v);
+}
+std::int16_t step_above(double v) {
+    return static_cast<std::int16_t>(static_cast<int>(kBoxSteps * v) + 1);
+}
+
 }  // namespace
 
-void Partition::begin(PixelIndex pixel, const Entrants& entrants) {
+void Partition::begin(PixelIndex pixel, const Entrants& entrants, Nearness nearness) {
     pixel_ = pixel;
     entrants_ = &entrants;
-    ring_.clear(), label_.clear();
-    min_x_.clear(), min_y_.clear(), max_x_.clear(), max_y_.clear();
-    used_ = 0;
-    free_cells_ = 0;
-    relation_.resize(entrants.faces.size());
-    difference_.resize(entrants.faces.size());
+    nearness_ = nearness;
+    size_ = used_ = free_cells_ = 0;
+    const std::size_t n = entrants.faces.size();
+    if (relation_.size() < n) relation_.resize(n), difference_.resize(n);
+    cells_of_.assign(n, 0);
     reserve_points(4);
+    reserve_cells(1);
     for (const Point corner : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) points_[used_++] = corner;
     append_cell({0, 4}, kFree);
 }
 
-void Partition::insert(std::uint32_t who, Nearness nearness) {
+void Partition::insert(std::uint32_t who) {
     who_ = who;
     const Entrant& face = entrants_->faces[who];
     cuts_of(face);
     find_cells_near(face.box);
-    std::fill(relation_.begin(), relation_.end(), Relation::Unknown);
+    std::fill_n(relation_.begin(), who, Relation::Unknown);
     for (const std::uint32_t cell : near_) {
-        if (label_[cell] == kFree) {
+        const std::uint32_t label = label_[cell];
+        if (label == kFree) {
             carve(cell, Relation::InFront);
-        } else if (nearness == Nearness::ByDepth) {
-            const Relation relation = relation_to(label_[cell]);
-            if (relation != Relation::Behind) carve(cell, relation);
+            continue;
         }
+        const Entrant& owner = entrants_->faces[label];
+        if (owner.w_min - owner.w_error > face.w_max + face.w_error) {
+            settle(cell);
+            continue;
+        }
+        const Relation relation = relation_to(label);
+        if (relation != Relation::Behind) carve(cell, relation);
     }
+}
+
+bool Partition::hides_all_below(double w) const {
+    if (free_cells_ != 0) return false;
+    if (nearness_ == Nearness::InOrder) return true;
+    for (std::size_t i = 0; i < cells_of_.size(); ++i) {
+        const Entrant& owner = entrants_->faces[i];
+        if (cells_of_[i] != 0 && owner.w_min - owner.w_error <= w) return false;
+    }
+    return true;
 }
 
 void Partition::cuts_of(const Entrant& face) {
     const std::span<const Point> ring = entrants_->ring(face);
     cuts_.clear();
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point p = ring[i], q = ring[i + 1 < ring.size() ? i + 1 : 0];
+    Point p = ring.back();
+    for (const Point q : ring) {
         if (!on_one_border(p, q)) cuts_.emplace_back(p, q);
+        p = q;
     }
 }
 
 void Partition::find_cells_near(const Box& box) {
-    // A float is off by at most 2^-25 here; four times that on either side errs towards a closer look.
-    constexpr float kBoxError = 0x1p-23f;
-    const float min_x = static_cast<float>(box.min_x) - kBoxError,
-                max_x = static_cast<float>(box.max_x) + kBoxError;
-    const float min_y = static_cast<float>(box.min_y) - kBoxError,
-                max_y = static_cast<float>(box.max_y) + kBoxError;
+    const std::int16_t min_x = step_below(box.min_x), max_x = step_above(box.max_x);
+    const std::int16_t min_y = step_below(box.min_y), max_y = step_above(box.max_y);
+    constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(std::int16_t);
+    if (hit_.size() < label_.size() + kAtOnce) hit_.resize(label_.size() + kAtOnce);
+    std::int16_t* const hit = hit_.data();
+    const std::int16_t *const lx = min_x_.data(), *const ly = min_y_.data();
+    const std::int16_t *const hx = max_x_.data(), *const hy = max_y_.data();
+    const std::size_t n = size_;
+    for (std::size_t i = 0; i < n; ++i)  // written so that compilers turn it into vector comparisons
+        hit[i] =
+            static_cast<std::int16_t>((lx[i] < max_x) & (hx[i] > min_x) & (ly[i] < max_y) & (hy[i] > min_y));
+    std::fill_n(hit + n, kAtOnce, std::int16_t{0});
+    if (near_.size() < n) near_.resize(label_.size());
     near_.clear();
-    for (std::size_t i = 0; i < label_.size(); ++i)
-        if ((min_x_[i] < max_x) & (max_x_[i] > min_x) & (min_y_[i] < max_y) & (max_y_[i] > min_y))
-            near_.push_back(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < n; i += kAtOnce) {
+        std::uint64_t some;
+        std::memcpy(&some, hit + i, sizeof some);
+        if (some == 0) continue;
+        for (std::size_t k = i; k < i + kAtOnce; ++k)
+            if (hit[k] != 0) near_.push_back(static_cast<std::uint32_t>(k));
+    }
 }
 
 Partition::Relation Partition::relation_to(std::uint32_t label) {
@@ -91,67 +128,69 @@ Partition::Relation Partition::relation_to(std::uint32_t label) {
     return relation;
 }
 
-bool Partition::find_reaching_cuts(Range ring) {
-    const Point* const point = points_.data() + ring.begin;
+template <class Cut>
+bool Partition::keep_inside(Current& current, const Cut& cut) {
+    const std::size_t n = current.size;
+    const Sides sides = sides_of(cut, current.ring, n, side_.data());
+    if (sides.inside == 0) return false;
+    if (sides.outside == 0) return true;
+    Point* const inside = current.free_buffer;
+    const SplitSizes size = split(cut, sides, current.ring, side_.data(), n, inside, points_.data() + used_);
+    pending_.push_back({static_cast<std::uint32_t>(used_), static_cast<std::uint32_t>(size.outside)});
+    used_ += size.outside;
+    std::swap(current.free_buffer, current.other_buffer);
+    current.ring = inside;
+    current.size = size.inside;
+    return true;
+}
+
+void Partition::carve(std::uint32_t cell, Relation relation) {
+    const Range whole = ring_[cell];
+    // Room for what may come: a cut adds two corners to a ring, and twice if rounding has bent it.
+    const std::size_t longest = 2 * (whole.size + 2 * cuts_.size() + 4);
+    reserve_points((cuts_.size() + 2) * longest);
+    if (side_.size() < longest) side_.resize(2 * longest), buffer_.resize(4 * longest);
+    Current current{points_.data() + whole.begin, whole.size, buffer_.data(),
+                    buffer_.data() + buffer_.size() / 2};
+
+    // Which edges reach into the cell? Most often the answer is that the face passes it by.
     reaching_.clear();
     for (std::uint32_t k = 0; k < cuts_.size(); ++k) {
-        const EdgeCut& cut = cuts_[k];
-        bool inside = false, outside = false;
-        for (std::size_t i = 0; i < ring.size; ++i) {
-            const double side = cut.side(point[i]);
-            inside |= side > cut.on_line;
-            outside |= side < -cut.on_line;
-        }
-        if (!inside) return false;
-        if (outside) reaching_.push_back(k);
+        const Sides sides = sides_of(cuts_[k], current.ring, current.size, side_.data());
+        if (sides.inside == 0) return;
+        if (sides.outside != 0) reaching_.push_back(k);
     }
-    return true;
-}
-
-template <class Side, class Weld>
-bool Partition::keep_inside(Range& current, double on_line, Side side, Weld weld) {
-    const std::size_t n = current.size;
-    reserve_points(2 * (n + 1));
-    if (side_.size() < n) side_.resize(2 * n);
-    const Point* const ring = points_.data() + current.begin;
-    for (std::size_t i = 0; i < n; ++i) side_[i] = side(ring[i]);
-    const SideCount count = settle_sides(side_.data(), n, on_line);
-    if (count.inside == 0) return false;
-    if (count.outside == 0) return true;
-    Point* const inside = points_.data() + used_;
-    Point* const outside = inside + n + 1;
-    const SplitSizes size = split(ring, side_.data(), n, inside, outside, weld);
-    current = {used_, size.inside};
-    pending_.push_back({used_ + n + 1, size.outside});
-    used_ += 2 * (n + 1);
-    return true;
-}
-
-void Partition::carve(std::size_t cell, Relation relation) {
-    Range current = ring_[cell];
-    if (!find_reaching_cuts(current)) return;
     const std::size_t used_before = used_;
     pending_.clear();
     for (const std::uint32_t k : reaching_) {
-        const EdgeCut& cut = cuts_[k];
-        const auto side = [&cut](Point p) { return cut.side(p); };
-        if (!keep_inside(current, cut.on_line, side, WeldToEdge{cut})) {
-            used_ = used_before;  // the face passes the cell by
-            return;
-        }
-    }
-    if (relation == Relation::Mixed) {
-        const NearnessDifference& nearer = difference_[label_[cell]];
-        const auto side = [&nearer](Point p) { return nearer.at(p); };
-        if (!keep_inside(current, nearer.on_line(), side, [](Point p) { return p; })) {
-            used_ = used_before;  // it is behind wherever it overlaps the cell
+        if (!keep_inside(current, cuts_[k])) {
+            used_ = used_before;
             return;
         }
     }
     const std::uint32_t label = label_[cell];
-    if (label == kFree) --free_cells_;
-    set_cell(cell, current, who_);
-    for (const Range piece : pending_) append_cell(piece, label);
+    if (relation == Relation::Mixed) {
+        const NearnessDifference& difference = difference_[label];
+        if (!keep_inside(current, DepthCut{difference, difference.on_line()})) {
+            used_ = used_before;  // it is behind wherever it overlaps the cell
+            return;
+        }
+    }
+    if (label == kFree)
+        --free_cells_;
+    else
+        --cells_of_[label];
+    ++cells_of_[who_];
+    if (pending_.empty()) {
+        label_[cell] = who_;
+    } else {
+        std::copy_n(current.ring, current.size, points_.data() + used_);
+        set_cell(cell, {static_cast<std::uint32_t>(used_), static_cast<std::uint32_t>(current.size)}, who_);
+        used_ += current.size;
+        reserve_cells(pending_.size());
+        for (const Range piece : pending_) append_cell(piece, label);
+    }
+    if (nearness_ == Nearness::InOrder) settle(cell);
 }
 
 void Partition::set_cell(std::size_t cell, Range ring, std::uint32_t label) {
@@ -163,20 +202,31 @@ void Partition::set_cell(std::size_t cell, Range ring, std::uint32_t label) {
     }
     ring_[cell] = ring;
     label_[cell] = label;
-    min_x_[cell] = static_cast<float>(min_x), max_x_[cell] = static_cast<float>(max_x);
-    min_y_[cell] = static_cast<float>(min_y), max_y_[cell] = static_cast<float>(max_y);
+    min_x_[cell] = step_below(min_x), max_x_[cell] = step_above(max_x);
+    min_y_[cell] = step_below(min_y), max_y_[cell] = step_above(max_y);
 }
 
 void Partition::append_cell(Range ring, std::uint32_t label) {
-    const std::size_t cell = label_.size();
-    ring_.emplace_back(), label_.emplace_back();
-    min_x_.emplace_back(), min_y_.emplace_back(), max_x_.emplace_back(), max_y_.emplace_back();
-    set_cell(cell, ring, label);
-    free_cells_ += label == kFree;
+    set_cell(size_++, ring, label);
+    if (label == kFree)
+        ++free_cells_;
+    else
+        ++cells_of_[label];
+}
+
+void Partition::settle(std::size_t cell) {
+    min_x_[cell] = INT16_MAX;  // a box that meets no other
 }
 
 void Partition::reserve_points(std::size_t more) {
     if (used_ + more > points_.size()) points_.resize(2 * (used_ + more));
+}
+
+void Partition::reserve_cells(std::size_t more) {
+    if (size_ + more <= label_.size()) return;
+    const std::size_t room = 2 * (size_ + more);
+    ring_.resize(room), label_.resize(room);
+    min_x_.resize(room), min_y_.resize(room), max_x_.resize(room), max_y_.resize(room);
 }
 
 }  // namespace keikan::clip

@@ -16,8 +16,8 @@ namespace {
 
 using clip::Box;
 using clip::ConvexOutline;
-using clip::CornerSides;
 using clip::DoubleDouble;
+using clip::EdgeView;
 using clip::Entrant;
 using clip::kHalfUlp;
 using clip::Overlap;
@@ -47,7 +47,7 @@ struct Candidate {
     std::uint32_t position = 0;
     ConvexOutline outline;
     Overlap overlap = Overlap::Nothing;
-    std::size_t sides = 0;  ///< where the sides of its edges start
+    std::size_t views = 0;  ///< where the views of its edges start
     DepthRange depth;
 };
 
@@ -94,10 +94,10 @@ struct VisibleAreas::Working {
     PixelIndex pixel;
     Nearness nearness = Nearness::InOrder;
     std::vector<Candidate> candidates;
-    std::vector<CornerSides> sides;
+    std::vector<EdgeView> views;
     std::vector<std::vector<Point>> hulls;  ///< of outlines that are not strictly convex as given
     std::size_t hulls_used = 0;
-    std::vector<Point> ring;
+    std::vector<Point> scratch;
     clip::Entrants entrants;
     Partition partition;
     std::vector<Measure> measures;
@@ -112,6 +112,7 @@ struct VisibleAreas::Working {
 
     ConvexOutline convex(std::span<const Point> outline);
     void measure_depth(Entrant& entrant);
+    void measure_depths(std::span<const FaceView> faces);
     bool before(const Entrant& p, const Entrant& q) const;
 };
 
@@ -129,7 +130,7 @@ ConvexOutline VisibleAreas::Working::convex(std::span<const Point> outline) {
 /// Finds the faces that may have area in the pixel and are not hidden as a whole by one that covers it.
 void VisibleAreas::Working::gather(std::span<const FaceView> faces) {
     candidates.clear();
-    sides.clear();
+    views.clear();
     hulls_used = 0;
     double hidden_below = -HUGE_VAL;  // the largest w below which a face that covers the pixel hides all
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -138,8 +139,8 @@ void VisibleAreas::Working::gather(std::span<const FaceView> faces) {
         candidate.position = static_cast<std::uint32_t>(i);
         candidate.outline = convex(faces[i].outline);
         if (candidate.outline.size() < 3) continue;
-        candidate.sides = sides.size();
-        candidate.overlap = clip::overlap(pixel, candidate.outline, sides);
+        candidate.views = views.size();
+        candidate.overlap = clip::overlap(pixel, candidate.outline, views);
         if (candidate.overlap == Overlap::Nothing) continue;
         const bool whole = candidate.overlap == Overlap::WholePixel;
         if (nearness == Nearness::ByDepth) {
@@ -168,28 +169,33 @@ void VisibleAreas::Working::measure_depth(Entrant& entrant) {
 void VisibleAreas::Working::enter(std::span<const FaceView> faces) {
     entrants.clear();
     for (const Candidate& candidate : candidates) {
-        const std::size_t n = candidate.outline.size();
-        if (candidate.overlap == Overlap::WholePixel)
-            ring.assign(std::begin(kPixelRing), std::end(kPixelRing));
-        else
-            clip::clip_to_pixel(pixel, candidate.outline, std::span(sides).subspan(candidate.sides, n), ring);
+        const auto of_candidate = std::span(views).subspan(candidate.views, candidate.outline.size());
+        const std::span<const Point> ring =
+            candidate.overlap == Overlap::WholePixel
+                ? std::span<const Point>(kPixelRing)
+                : clip::clip_to_pixel(pixel, candidate.outline, of_candidate, scratch);
         if (ring.empty()) continue;
-        Entrant entrant;
+        Entrant& entrant = entrants.faces.emplace_back();
         entrant.position = candidate.position;
         entrant.id = faces[candidate.position].id;
-        entrant.ring = entrants.corners.size();
-        entrant.size = ring.size();
-        const auto [min_x, max_x] =
-            std::minmax_element(ring.begin(), ring.end(), [](Point p, Point q) { return p.x < q.x; });
-        const auto [min_y, max_y] =
-            std::minmax_element(ring.begin(), ring.end(), [](Point p, Point q) { return p.y < q.y; });
-        entrant.box = {min_x->x, min_y->y, max_x->x, max_y->y};
-        entrants.corners.insert(entrants.corners.end(), ring.begin(), ring.end());
-        if (nearness == Nearness::ByDepth) {
-            entrant.plane = clip::local_plane(pixel, faces[candidate.position].depth);
-            measure_depth(entrant);
+        entrant.ring = static_cast<std::uint32_t>(entrants.corners.size());
+        entrant.size = static_cast<std::uint32_t>(ring.size());
+        entrant.box = {1, 1, 0, 0};
+        for (const Point p : ring) {
+            entrant.box.min_x = std::min(entrant.box.min_x, p.x),
+            entrant.box.max_x = std::max(entrant.box.max_x, p.x);
+            entrant.box.min_y = std::min(entrant.box.min_y, p.y),
+            entrant.box.max_y = std::max(entrant.box.max_y, p.y);
         }
-        entrants.faces.push_back(entrant);
+        entrants.corners.insert(entrants.corners.end(), ring.begin(), ring.end());
+    }
+}
+
+/// The faces' planes relative to the pixel; needed only where faces overlap.
+void VisibleAreas::Working::measure_depths(std::span<const FaceView> faces) {
+    for (Entrant& entrant : entrants.faces) {
+        entrant.plane = clip::local_plane(pixel, faces[entrant.position].depth);
+        measure_depth(entrant);
     }
 }
 
@@ -214,19 +220,11 @@ void VisibleAreas::Working::put_in_order() {
 }
 
 void VisibleAreas::Working::insert_all() {
-    partition.begin(pixel, entrants);
+    partition.begin(pixel, entrants, nearness);
     for (std::uint32_t who = 0; who < entrants.faces.size(); ++who) {
-        if (partition.free_cells() == 0) {
-            if (nearness == Nearness::InOrder) return;
-            double hidden_below = HUGE_VAL;
-            for (std::size_t i = 0; i < partition.size(); ++i) {
-                const Entrant& owner = entrants.faces[partition.label(i)];
-                hidden_below = std::min(hidden_below, owner.w_min - owner.w_error);
-            }
-            const Entrant& next = entrants.faces[who];  // by falling w_max: those after it are no nearer
-            if (next.w_max + next.w_error < hidden_below) return;
-        }
-        partition.insert(who, nearness);
+        const Entrant& face = entrants.faces[who];  // in ByDepth, those after it are no nearer
+        if (partition.hides_all_below(face.w_max + face.w_error)) return;
+        partition.insert(who);
     }
 }
 
@@ -260,6 +258,7 @@ PixelCoverage VisibleAreas::operator()(PixelIndex pixel, std::span<const FaceVie
     work.nearness = nearness;
     work.gather(faces);
     work.enter(faces);
+    if (nearness == Nearness::ByDepth) work.measure_depths(faces);
     work.put_in_order();
     work.insert_all();
     return work.coverage();

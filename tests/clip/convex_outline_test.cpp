@@ -19,10 +19,11 @@ std::vector<Point> clipped(PixelIndex pixel, std::vector<Point> outline) {
     if (turning(outline) == Turning::NotStrictlyConvex) replace_by_hull(outline);
     if (outline.size() < 3) return {};
     const ConvexOutline convex(outline, turning(outline) == Turning::Negative);
-    std::vector<CornerSides> sides;
-    std::vector<Point> ring;
-    if (overlap(pixel, convex, sides) == Overlap::Part) clip_to_pixel(pixel, convex, sides, ring);
-    return ring;
+    std::vector<EdgeView> views;
+    std::vector<Point> scratch;
+    if (overlap(pixel, convex, views) != Overlap::Part) return {};
+    const std::span<const Point> ring = clip_to_pixel(pixel, convex, views, scratch);
+    return {ring.begin(), ring.end()};
 }
 
 }  // namespace
