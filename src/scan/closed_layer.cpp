@@ -27,19 +27,6 @@ std::size_t position_of(std::uint32_t face, std::span<const Candidate> candidate
     return static_cast<std::size_t>(at - candidates.begin());
 }
 
-Moments moments_in_pixel(std::span<const Point> outline, int turn, PixelIndex pixel) {
-    Moments sum;
-    const Point last = outline.back();
-    Point p{last.x - pixel.x, last.y - pixel.y};
-    for (const Point corner : outline) {
-        const Point q{corner.x - pixel.x, corner.y - pixel.y};
-        sum += edge_moments(p, q);
-        p = q;
-    }
-    if (turn < 0) sum = {-sum.area, -sum.x, -sum.y};
-    return sum;
-}
-
 /// Whether the edge's bounding box, and with it the edge, misses the pixel's interior; exact.
 bool box_misses(Point p, Point q, PixelIndex pixel) {
     return std::max(p.x, q.x) <= pixel.x || std::min(p.x, q.x) >= pixel.x + 1 || std::max(p.y, q.y) <= pixel.y ||
@@ -60,34 +47,78 @@ bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double lef
     return true;
 }
 
+/// What an edge that does not meet the pixel's interior contributes to its face's moments (edge_moments):
+/// within the pixel's rows it lies on the left of the pixel, which is nothing, or on the right of it.
+Moments beside_pixel(Point p, Point q, bool on_the_right) {
+    const double from = std::clamp(p.y, 0.0, 1.0), to = std::clamp(q.y, 0.0, 1.0);
+    if (!on_the_right || from == to) return {};
+    return {to - from, (to - from) / 2, (to - from) * (from + to) / 2};
+}
+
 }  // namespace
 
-/// Collects what is connected with `start` through shared edges. An edge needs no neighbour when it cannot
-/// meet the pixel's interior: the pixel lies wholly on its inner side, or the edge beside the pixel. (With the
-/// outer side, which no candidate has, these are all the ways in which a segment and a square can be apart.)
-bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const FaceNeighbours& neighbours,
-                       std::span<const Candidate> candidates, std::size_t start) {
+/// Collects what is connected with `start` through shared edges, and sums up the moments of each face, edge by
+/// edge; an edge inside the layer is worked out once for both of its faces. An edge needs no neighbour when
+/// it cannot meet the pixel's interior: the pixel lies wholly on its inner side, or the edge's box beside the
+/// pixel. (With the outer side, which no candidate has, these are all the ways in which a segment and a
+/// square can be apart.)
+bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
+                       const FaceNeighbours& neighbours, std::span<const Candidate> candidates,
+                       std::size_t start) {
     members_.assign(1, static_cast<std::uint32_t>(start));
-    is_member_.assign(candidates.size(), 0);
-    is_member_[start] = 1;
+    progress_.assign(candidates.size(), Progress{});
+    progress_[start].is_member = true;
     bool closed = true;
     for (std::size_t m = 0; m < members_.size(); ++m) {
         const Candidate& member = candidates[members_[m]];
+        Progress& mine = progress_[members_[m]];
+        mine.is_done = true;
         const std::uint32_t begin = faces.begin[member.face];
         const std::uint32_t edges = faces.begin[member.face + 1] - begin;
+        const int turn = facts[member.face].turn;
+        if (turn == 0) {  // every edge is open, and more of them than Progress has bits for
+            closed = false;
+            continue;
+        }
         const Point* const corner = faces.points.data() + begin;
+        Point q{corner[0].x - pixel.x, corner[0].y - pixel.y};
         for (std::uint32_t e = 0; e < edges; ++e) {
-            if (e < FaceFacts::kMostEdges && (member.inside >> e & 1)) continue;
-            if (box_misses(corner[e], corner[e + 1 < edges ? e + 1 : 0], pixel)) continue;
+            const Point p = q;
+            const Point& next_corner = corner[e + 1 < edges ? e + 1 : 0];
+            q = {next_corner.x - pixel.x, next_corner.y - pixel.y};
+            if (mine.given >> e & 1) continue;
+            if (member.inside >> e & 1) {
+                // The inner side of an edge that runs with rising y is the one of smaller x if the turn is
+                // from +x towards +y.
+                mine.moments += beside_pixel(p, q, turn > 0 ? q.y > p.y : q.y < p.y);
+                continue;
+            }
+            if (box_misses(corner[e], next_corner, pixel)) {
+                mine.moments += beside_pixel(p, q, std::min(p.x, q.x) >= 1);
+                continue;
+            }
             const std::uint32_t across = neighbours.across[begin + e];
             const std::size_t next =
                 across == FaceNeighbours::kOpen ? candidates.size() : position_of(across, candidates);
             if (next == candidates.size()) {
                 closed = false;
-            } else if (!is_member_[next]) {
-                is_member_[next] = 1;
+                continue;
+            }
+            if (!progress_[next].is_member) {
+                progress_[next].is_member = true;
                 members_.push_back(static_cast<std::uint32_t>(next));
             }
+            if (!closed) continue;
+            const Moments moments = edge_moments(p, q);
+            mine.moments += moments;
+            if (progress_[next].is_done) continue;
+            // The neighbour gets the negative for the same edge, which there runs the other way.
+            const std::uint32_t there = faces.begin[across];
+            for (std::uint32_t k = 0; k < facts[across].corners; ++k)
+                if (neighbours.across[there + k] == member.face && faces.points[there + k] == next_corner) {
+                    progress_[next].given |= static_cast<std::uint8_t>(1u << k);
+                    progress_[next].moments -= moments;
+                }
         }
     }
     return closed;
@@ -116,20 +147,22 @@ bool ClosedLayer::hides(PixelIndex pixel, const ProjectedFaces& faces, const std
 bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
                        const FaceNeighbours& neighbours, std::span<const Candidate> candidates,
                        std::size_t start) {
-    if (!grow(pixel, faces, neighbours, candidates, start)) return false;
+    if (!grow(pixel, faces, facts, neighbours, candidates, start)) return false;
     std::sort(members_.begin(), members_.end());
     parts_.clear();
     double area = 0;
     w_min_ = candidates[start].w_min;
     for (const std::uint32_t m : members_) {
         const std::uint32_t face = candidates[m].face;
-        const Moments moments = moments_in_pixel(faces[face].outline, facts[face].turn, pixel);
-        area += moments.area;
+        const double sign = facts[face].turn;
+        const Moments& moments = progress_[m].moments;
+        const double share = sign * moments.area;
+        area += share;
         w_min_ = std::min(w_min_, candidates[m].w_min);
-        if (moments.area <= kLeastShare) continue;
+        if (share <= kLeastShare) continue;
         const auto within = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
         parts_.push_back({face, within(moments.x / moments.area), within(moments.y / moments.area),
-                          std::min(moments.area, 1.0)});
+                          std::min(share, 1.0)});
     }
     return std::abs(area - 1) < 0.25;  // a whole number, rounded by far less
 }

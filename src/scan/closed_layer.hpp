@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "edge_moments.hpp"
 #include "keikan/scan/scan_band.hpp"
 #include "tile_candidates.hpp"
 
@@ -34,14 +35,23 @@ class ClosedLayer {
 
     /// Candidates that the last search has reached, whether it found a layer or not.
     std::span<const std::uint32_t> reached() const { return members_; }
-    bool has_reached(std::size_t candidate) const { return is_member_[candidate] != 0; }
+    bool has_reached(std::size_t candidate) const { return progress_[candidate].is_member; }
 
   private:
-    bool grow(PixelIndex pixel, const ProjectedFaces& faces, const FaceNeighbours& neighbours,
-              std::span<const Candidate> candidates, std::size_t start);
+    /// How far the search has come with a candidate.
+    struct Progress {
+        Moments moments;         ///< of the edges so far, in the direction of its outline
+        std::uint8_t given = 0;  ///< bit e: edge e is in `moments`, from the neighbour's side
+        bool is_member = false;
+        bool is_done = false;
+    };
+    static_assert(FaceFacts::kMostEdges <= 8, "one bit of `given` for each edge");
+
+    bool grow(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
+              const FaceNeighbours& neighbours, std::span<const Candidate> candidates, std::size_t start);
 
     std::vector<std::uint32_t> members_;
-    std::vector<std::uint8_t> is_member_;
+    std::vector<Progress> progress_;
     std::vector<SeenPart> parts_;
     double w_min_ = 0;
 };

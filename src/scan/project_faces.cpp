@@ -10,6 +10,7 @@
 #include "keikan/support/check.hpp"
 #include "keikan/support/parallel.hpp"
 #include "camera_space.hpp"
+#include "hidden_backs.hpp"
 
 namespace keikan {
 namespace {
@@ -77,8 +78,9 @@ struct Projected {
 
 class ObjectProjection {
   public:
-    ObjectProjection(const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), camera_(camera), corners_(mesh.positions.size()) {
+    ObjectProjection(const Object& object, const Camera& camera)
+        : mesh_(object.mesh), camera_(camera), backs_are_hidden_(backs_are_hidden(object, camera)),
+          corners_(mesh_.positions.size()) {
         parallel_ranges(corners_.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) corners_[i] = seen_corner(camera_, mesh_.positions[i]);
         });
@@ -103,7 +105,7 @@ class ObjectProjection {
         const auto outline = std::span<const Point>(out.points).subspan(first);
         const Turning turns = turning(outline);
         // Counter-clockwise seen from outside is a negative turn where rows grow downwards.
-        const bool back = mesh_.closed && turns.sign > 0 && !turns.mixed;
+        const bool back = backs_are_hidden_ && turns.sign > 0 && !turns.mixed;
         if (turns.sign == 0 || back || ((any & SeenCorner::kBehind) && outside_image(outline))) {
             out.points.resize(first);
             return;
@@ -164,6 +166,7 @@ class ObjectProjection {
 
     const Mesh& mesh_;
     const Camera& camera_;
+    const bool backs_are_hidden_;
     std::vector<SeenCorner> corners_;
 };
 
@@ -179,7 +182,7 @@ ProjectedFaces project_faces(const Geometry& geometry, const Camera& camera) {
     std::vector<Projected> runs;
     for (std::size_t o = 0; o < geometry.objects.size(); ++o) {
         const Mesh& mesh = geometry.objects[o].mesh;
-        const ObjectProjection projection(mesh, camera);
+        const ObjectProjection projection(geometry.objects[o], camera);
         const std::size_t faces = mesh.face_count();
         const std::size_t first_run = runs.size();
         const std::size_t run_count = (faces + kFacesPerRun - 1) / kFacesPerRun;

@@ -161,3 +161,29 @@ TEST_CASE("faces_at: bounding boxes that touch the pixel belong to it", "[scan]"
     CHECK(question.nearness() == Nearness::ByDepth);
     CHECK((*question.depth)[1] == faces.plane[1]);
 }
+
+TEST_CASE("project_faces: backs of a terrain are left out exactly when the camera surely stands above it",
+          "[scan][project][terrain]") {
+    // A ridge from west to east: the camera south of it sees the northern slope from behind.
+    Mesh ridge;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            ridge.add_position({100.0 * column - 100, 100.0 * row - 50, row == 1 ? 30.0 : 0.0});
+    for (std::uint32_t sw : {0u, 1u, 3u, 4u}) {
+        ridge.add_face(std::vector{sw, sw + 1, sw + 4}, 0);
+        ridge.add_face(std::vector{sw, sw + 4, sw + 3}, 0);
+    }
+    const auto seen = [&](glm::dvec3 eye, ObjectKind kind) {
+        Camera view = camera({64, 64});
+        view.centre_x = view.centre_y = 32;
+        view.position = eye;
+        return project_faces(geometry(ridge, kind), view).id;
+    };
+    const glm::dvec3 above(0, -40, 20), below(0, -40, 1), beside(0, -60, 20), grazing(0, -40, 3.05);
+    const std::vector<FaceId> front{0, 1, 2, 3}, all{0, 1, 2, 3, 4, 5, 6, 7};
+    CHECK(seen(above, ObjectKind::Terrain) == front);
+    CHECK(seen(above, ObjectKind::Model) == all);  // only a terrain promises to be a height field
+    CHECK(seen(below, ObjectKind::Terrain).size() > 4);
+    CHECK(seen(beside, ObjectKind::Terrain) == all);
+    CHECK(seen(grazing, ObjectKind::Terrain).size() > 4);  // the near plane reaches into the ground
+}
