@@ -213,4 +213,27 @@ PixelCase terrain_pixel(std::mt19937_64& random) {
     return question;
 }
 
+PixelCase crowded_pixel(int bars) {
+    std::mt19937_64 random(1);
+    PixelCase question;
+    question.id = "crowd";
+    question.pixel = {500, 300};
+    question.depth.emplace();
+    for (int i = 0; i < bars; ++i) {
+        const Point middle = {unit(random), unit(random)};
+        const double angle = between(random, 0, 2 * std::numbers::pi);
+        const double thick = between(random, 0.005, 0.05), reach = between(random, 0.5, 5);
+        const Point way = {reach * std::cos(angle), reach * std::sin(angle)};
+        const Point side = {-thick * std::sin(angle), thick * std::cos(angle)};
+        question.polygons.push_back({{middle.x - way.x, middle.y - way.y},
+                                     {middle.x + way.x, middle.y + way.y},
+                                     {middle.x + way.x + side.x, middle.y + way.y + side.y},
+                                     {middle.x - way.x + side.x, middle.y - way.y + side.y}});
+        question.depth->push_back({between(random, -0.01, 0.01), between(random, -0.01, 0.01),
+                                   between(random, 1, 1.05)});
+    }
+    move_to_pixel(question);
+    return question;
+}
+
 }  // namespace keikan::oracle
