@@ -2,7 +2,6 @@
 #include "tile_bins.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "keikan/support/parallel.hpp"
 
@@ -17,10 +16,14 @@ struct TileRange {
 };
 
 TileRange tiles_met(double low, double high, int tiles) {
-    const double first = std::ceil(low / kTileSize) - 1;
-    const double last = std::floor(high / kTileSize);
-    if (last < 0 || first >= tiles) return {};
-    return {static_cast<int>(std::max(first, 0.0)), static_cast<int>(std::min(last, tiles - 1.0))};
+    low /= kTileSize;
+    high /= kTileSize;
+    if (!(high >= 0 && low <= tiles)) return {};
+    // Clamped before the conversion, which then rounds down.
+    const double from = std::max(low, 0.0);
+    const int first = static_cast<int>(from);
+    const int last = static_cast<int>(std::min(high, tiles - 1.0));
+    return {first > 0 && first == from ? first - 1 : first, last};
 }
 
 /// Faces binned by one call.

@@ -57,11 +57,13 @@ struct PixelRange {
 };
 
 PixelRange pixels_met(double low, double high, int pixels) {
-    // Compared before the conversion, which must not overflow.
-    const double first = std::max(std::ceil(low) - 1, 0.0);
-    const double last = std::min(std::floor(high), pixels - 1.0);
-    if (!(first <= last)) return {};
-    return {static_cast<int>(first), static_cast<int>(last) + 1};
+    if (!(high >= 0 && low <= pixels)) return {};
+    // Clamped before the conversion, which must not overflow and then rounds towards zero, that is down. A
+    // low end on the border between two pixels meets both.
+    const double from = std::max(low, 0.0);
+    const int first = static_cast<int>(from);
+    const int last = static_cast<int>(std::min(high, pixels - 1.0));
+    return {first > 0 && first == from ? first - 1 : first, last + 1};
 }
 
 }  // namespace
@@ -72,30 +74,36 @@ void TileCandidates::add(Candidate candidate) {
     found_.push_back(candidate);
 }
 
+template <std::size_t kEdges>
 void TileCandidates::look_at_convex(const FaceView& face, const FaceFacts& facts, std::uint32_t index) {
-    const std::size_t n = face.outline.size();
+    // kEdges is 3 for triangles, which are nearly all faces, and whose loop is then unrolled; 0 for others.
+    const std::size_t n = kEdges != 0 ? kEdges : face.outline.size();
     std::array<EdgeSide, FaceFacts::kMostEdges> side;
-    const std::uint8_t all = static_cast<std::uint8_t>((1u << n) - 1);
+    const unsigned all = (1u << n) - 1;
+    Point q{face.outline[0].x - x_, face.outline[0].y - y_};
     for (std::size_t e = 0; e < n; ++e) {
-        const Point p = face.outline[e], q = face.outline[e + 1 < n ? e + 1 : 0];
-        side[e] = edge_side({p.x - x_, p.y - y_}, {q.x - x_, q.y - y_}, facts.turn);
+        const Point& corner = face.outline[e + 1 < n ? e + 1 : 0];
+        const Point p = q;
+        q = {corner.x - x_, corner.y - y_};
+        side[e] = edge_side(p, q, facts.turn);
     }
     const EdgeSide w = nearness_side(face.depth, x_, y_);
     const PixelRange xs = pixels_met(facts.left - x_, facts.right - x_, columns_);
     const PixelRange ys = pixels_met(facts.top - y_, facts.bottom - y_, rows_);
     for (int y = ys.first; y < ys.end; ++y) {
         for (int x = xs.first; x < xs.end; ++x) {
-            std::uint8_t inside = 0;
+            unsigned inside = 0;
             bool met = true;
-            for (std::size_t e = 0; e < n && met; ++e) {
+            for (std::size_t e = 0; e < n; ++e) {
                 const double at = side[e].a * x + side[e].b * y;
-                met = at + side[e].greatest >= 0;
-                inside |= static_cast<std::uint8_t>(static_cast<unsigned>(at + side[e].least >= 0) << e);
+                met &= at + side[e].greatest >= 0;
+                inside |= static_cast<unsigned>(at + side[e].least >= 0) << e;
             }
             if (!met) continue;
             const double at = w.a * x + w.b * y;
             add({std::max(at + w.least, facts.w_min), std::min(at + w.greatest, facts.w_max), index,
-                 static_cast<std::uint16_t>(y * kTileSize + x), inside, inside == all});
+                 static_cast<std::uint16_t>(y * kTileSize + x), static_cast<std::uint8_t>(inside),
+                 inside == all});
         }
     }
 }
@@ -135,10 +143,12 @@ void TileCandidates::look(const ProjectedFaces& faces, const std::vector<FaceFac
     found_.clear();
     nearest_cover_.fill(-std::numeric_limits<double>::infinity());
     for (const std::uint32_t f : tile) {
-        if (facts[f].turn != 0)
-            look_at_convex(faces[f], facts[f], f);
-        else
+        if (facts[f].turn == 0)
             look_at_box(faces[f], facts[f], f);
+        else if (facts[f].corners == 3)
+            look_at_convex<3>(faces[f], facts[f], f);
+        else
+            look_at_convex<0>(faces[f], facts[f], f);
     }
     keep_what_may_be_seen();
 }

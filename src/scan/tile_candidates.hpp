@@ -37,6 +37,7 @@ class TileCandidates {
     }
 
   private:
+    template <std::size_t kEdges>
     void look_at_convex(const FaceView& face, const FaceFacts& facts, std::uint32_t index);
     void look_at_box(const FaceView& face, const FaceFacts& facts, std::uint32_t index);
     void add(Candidate candidate);
