@@ -56,4 +56,13 @@ class NearnessDifference {
     double error_ = 0;
 };
 
+/// The line where two faces are equally near, as a cut (split.hpp): inside, the first is nearer.
+struct DepthCut {
+    explicit DepthCut(const NearnessDifference& d) : difference(d), on_line(d.on_line()) {}
+    const NearnessDifference& difference;
+    double on_line;
+    double side(Point p) const { return difference.at(p); }
+    Point weld(Point p) const { return p; }
+};
+
 }  // namespace keikan::clip

@@ -170,8 +170,7 @@ void Partition::carve(std::uint32_t cell, Relation relation) {
     }
     const std::uint32_t label = label_[cell];
     if (relation == Relation::Mixed) {
-        const NearnessDifference& difference = difference_[label];
-        if (!keep_inside(current, DepthCut{difference, difference.on_line()})) {
+        if (!keep_inside(current, DepthCut(difference_[label]))) {
             used_ = used_before;  // it is behind wherever it overlaps the cell
             return;
         }

@@ -61,13 +61,6 @@ class Partition {
         std::uint32_t begin = 0;
         std::uint32_t size = 0;
     };
-    /// The line where two faces are equally near, as a cut: inside, the face being inserted is nearer.
-    struct DepthCut {
-        const NearnessDifference& difference;
-        double on_line;
-        double side(Point p) const { return difference.at(p); }
-        Point weld(Point p) const { return p; }
-    };
     /// A ring on its way through the cuts: first a cell's, then in one or the other buffer.
     struct Current {
         const Point* ring;

@@ -47,14 +47,13 @@ bool Traversal::hides(PixelIndex pixel, const Entrants& entrants, std::uint32_t 
     if (nearer.is_zero()) return f.id < b.id && whole();
     const std::size_t n = ring.size();
     side_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) side_[i] = nearer.at(ring[i]);
-    const SideCount count = settle_sides(side_.data(), n, nearer.on_line());
-    if (count.inside == 0) return false;
-    if (count.outside == 0) return whole();
-    clipper_.resize(n + 1);
-    outside_.resize(n + 1);
-    const SplitSizes size =
-        split(ring.data(), side_.data(), n, clipper_.data(), outside_.data(), [](Point p) { return p; });
+    const DepthCut cut(nearer);
+    const Sides sides = sides_of(cut, ring.data(), n, side_.data());
+    if (sides.inside == 0) return false;
+    if (sides.outside == 0) return whole();
+    clipper_.resize(2 * n);
+    outside_.resize(2 * n);
+    const SplitSizes size = split(cut, sides, ring.data(), side_.data(), n, clipper_.data(), outside_.data());
     clipper_.resize(size.inside);
     if (turning(clipper_) != Turning::Positive) replace_by_hull(clipper_);
     return clipper_.size() >= 3;
