@@ -102,14 +102,13 @@ DoubleDouble exact_sum_of_products(DoubleDouble x, DoubleDouble y, DoubleDouble 
     return sum.rounded();
 }
 
-/// Where the line p q meets the border x = k, measured along y from `y_origin` and snapped.
-/// For the borders y = k the caller exchanges x and y.
-double crossing_with_border(double k, double y_origin, Point p, Point q) {
-    if (before(q, p)) std::swap(p, q);  // the same bits for either direction of travel
+/// Where the line p q meets the border x = k, measured along y from `y_origin`, for points so far away or an
+/// edge so close to the border's direction that double-doubles would not do.
+double far_crossing(double k, double y_origin, Point p, Point q) {
     const double extent = std::max(std::max(std::abs(p.x - k), std::abs(q.x - k)),
                                    std::max(std::abs(p.y - y_origin), std::abs(q.y - y_origin)));
     double unit = 1;
-    if (extent > 0x1p480) [[unlikely]] {  // keep the products finite; what underflows is below 2^-500
+    if (extent > 0x1p480) {  // keep the products finite; what underflows is below 2^-500
         unit = 0x1p-540;
         p = {p.x * unit, p.y * unit};
         q = {q.x * unit, q.y * unit};
@@ -118,30 +117,74 @@ double crossing_with_border(double k, double y_origin, Point p, Point q) {
     }
     DoubleDouble dx = two_difference(q.x, p.x), to_border = two_difference(k, p.x);
     const DoubleDouble dy = two_difference(q.y, p.y), y = two_difference(p.y, y_origin);
-    if (std::abs(dx.hi) < 0x1p-400) [[unlikely]] {  // keep the products above the underflow; the ratio stays
+    if (std::abs(dx.hi) < 0x1p-400) {  // keep the products above the underflow; the ratio stays
         dx = {dx.hi * 0x1p600, dx.lo * 0x1p600};
         to_border = {to_border.hi * 0x1p600, to_border.lo * 0x1p600};
     }
-    // (y dx + (k - x) dy) / dx. Up to 2^40 pixels the error of the sum moves the point by less than 2^-60
-    // across the line (docs/numerics.md, section 2).
-    const DoubleDouble numerator =
-        extent < 0x1p40 ? sum_of_products(y, dx, to_border, dy) : exact_sum_of_products(y, dx, to_border, dy);
-    const double along = quotient(numerator, dx) / unit;
-    return snap(std::clamp(along, 0.0, 1.0));
+    return quotient(exact_sum_of_products(y, dx, to_border, dy), dx) / unit;
 }
 
-Point crossing(const Borders& pixel, unsigned border, Point p, Point q) {
-    switch (border) {
-        case 0:
-            return {crossing_with_border(pixel.low, pixel.left, {p.y, p.x}, {q.y, q.x}), 0};
-        case 1:
-            return {1, crossing_with_border(pixel.right, pixel.low, p, q)};
-        case 2:
-            return {crossing_with_border(pixel.high, pixel.left, {p.y, p.x}, {q.y, q.x}), 1};
-        default:
-            return {0, crossing_with_border(pixel.left, pixel.low, p, q)};
+/// Where one edge meets the pixel's borders. The same bits for either direction of travel.
+class EdgeCrossings {
+  public:
+    EdgeCrossings(const Borders& pixel, Point p, Point q)
+        : pixel_(pixel), p_(before(q, p) ? q : p), q_(before(q, p) ? p : q) {
+        dx_ = two_difference(q_.x, p_.x);
+        dy_ = two_difference(q_.y, p_.y);
+        const DoubleDouble x = two_difference(p_.x, pixel.left), y = two_difference(p_.y, pixel.low);
+        const auto tiny = [](double d) { return d != 0 && std::abs(d) < 0x1p-400; };
+        const double extent = std::abs(x.hi) + std::abs(y.hi) + std::abs(dx_.hi) + std::abs(dy_.hi);
+        far_ = !(extent < 0x1p40) || tiny(dx_.hi) || tiny(dy_.hi);
+        if (!far_) offset_ = sum_of_products(x, dy_, -y, dx_);
     }
-}
+
+    Point at(unsigned border) const {
+        if (far_) [[unlikely]]
+            return far_at(border);
+        // The line is offset - u dy + v dx = 0; on a border all but one term is known. An error of the
+        // offset moves the point across the line by at most 2^-101 * extent < 2^-61, however the edge
+        // lies (docs/numerics.md, section 2).
+        switch (border) {
+            case 0:
+                return {along(offset_, dy_), 0};
+            case 1:
+                return {1, along(nearly_sum(dy_, -offset_), dx_)};
+            case 2:
+                return {along(nearly_sum(offset_, dx_), dy_), 1};
+            default:
+                return {0, along(-offset_, dx_)};
+        }
+    }
+
+  private:
+    /// x + y with an error below 2^-104 (|x| + |y|).
+    static DoubleDouble nearly_sum(DoubleDouble x, DoubleDouble y) {
+        const DoubleDouble sum = two_sum(x.hi, y.hi);
+        return quick_two_sum(sum.hi, sum.lo + (x.lo + y.lo));
+    }
+    static double along(DoubleDouble numerator, DoubleDouble denominator) {
+        return snap(std::clamp(quotient(numerator, denominator), 0.0, 1.0));
+    }
+    Point far_at(unsigned border) const {
+        const Point p{p_.y, p_.x}, q{q_.y, q_.x};  // for the borders y = k
+        const auto within = [](double v) { return snap(std::clamp(v, 0.0, 1.0)); };
+        switch (border) {
+            case 0:
+                return {within(far_crossing(pixel_.low, pixel_.left, p, q)), 0};
+            case 1:
+                return {1, within(far_crossing(pixel_.right, pixel_.low, p_, q_))};
+            case 2:
+                return {within(far_crossing(pixel_.high, pixel_.left, p, q)), 1};
+            default:
+                return {0, within(far_crossing(pixel_.left, pixel_.low, p_, q_))};
+        }
+    }
+
+    const Borders& pixel_;
+    Point p_, q_;
+    DoubleDouble dx_, dy_, offset_;
+    bool far_ = false;
+};
 
 /// A place on the pixel's border, as the way from (0, 0) around it: corner k is at k.
 double way_around(Point p) {
@@ -167,10 +210,13 @@ class BorderWalk {
         // An edge whose ends lie on different sides of a border line meets the border exactly when the
         // border's ends do not both lie strictly on one side of the edge.
         const Set missed = (at_p.inside & next(at_p.inside)) | (at_p.outside & next(at_p.outside));
-        for (Set enters = beyond_p & ~missed; enters != 0; enters &= enters - 1)
-            enter(crossing(pixel_, static_cast<unsigned>(std::countr_zero(enters)), p, q));
-        for (Set leaves = beyond_q & ~missed; leaves != 0; leaves &= leaves - 1)
-            leave(crossing(pixel_, static_cast<unsigned>(std::countr_zero(leaves)), p, q));
+        Set enters = beyond_p & ~missed, leaves = beyond_q & ~missed;
+        if ((enters | leaves) == 0) return;
+        const EdgeCrossings crossings(pixel_, p, q);
+        for (; enters != 0; enters &= enters - 1)
+            enter(crossings.at(static_cast<unsigned>(std::countr_zero(enters))));
+        for (; leaves != 0; leaves &= leaves - 1)
+            leave(crossings.at(static_cast<unsigned>(std::countr_zero(leaves))));
     }
 
     /// The number of points.

@@ -70,12 +70,13 @@ inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) {
     return quick_two_sum(product.hi, product.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/// x / y rounded to a double; off by at most its half ulp and 2^-100 of itself.
+/// x / y, off by at most half an ulp and 2^-98 of itself.
 inline double quotient(DoubleDouble x, DoubleDouble y) {
-    const double first = x.hi / y.hi;
+    const double reciprocal = 1 / y.hi;
+    const double first = x.hi * reciprocal;
     const DoubleDouble back = two_product(first, y.hi);
     const double rest = ((x.hi - back.hi) - back.lo) + (x.lo - first * y.lo);
-    return first + rest / y.hi;
+    return first + rest * reciprocal;
 }
 
 }  // namespace keikan::clip
