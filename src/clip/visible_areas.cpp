@@ -6,10 +6,13 @@
 #include <tuple>
 #include <vector>
 
+#include "apart.hpp"
 #include "convex_outline.hpp"
 #include "double_double.hpp"
 #include "nearer_part.hpp"
+#include "keikan/clip/published_clipper.hpp"
 #include "partition.hpp"
+#include "traversal.hpp"
 
 namespace keikan {
 namespace {
@@ -70,7 +73,7 @@ struct Measure {
     CarefulSum area, x, y;
 
     /// Adds a ring, seen from its first corner: differences are exact, and the terms as small as the ring.
-    void add(std::span<const Point> ring) {
+    void add(std::span<const Point> ring, int sign = 1) {
         const Point from = ring[0];
         double twice_area = 0, moment_x = 0, moment_y = 0;
         double ux = ring[1].x - from.x, uy = ring[1].y - from.y;
@@ -82,6 +85,7 @@ struct Measure {
             moment_y += cross * (uy + vy);
             ux = vx, uy = vy;
         }
+        twice_area *= sign, moment_x *= sign, moment_y *= sign;
         area.add(0.5 * twice_area);
         x.add(0.5 * twice_area * from.x + moment_x / 6);
         y.add(0.5 * twice_area * from.y + moment_y / 6);
@@ -103,12 +107,25 @@ struct VisibleAreas::Working {
     std::vector<Measure> measures;
     std::vector<VisiblePart> parts;
     std::vector<VisiblePiece> pieces;
+    bool divided = false;  ///< `partition` is that of the last call
+    Engine engine = Engine::Splitting;
+    clip::Traversal traversal;
+    clip::Traversal::Observer observer;
+    SignedRings rings;                       ///< of all faces, where the engine gives outlines
+    std::vector<std::uint32_t> ring_owner;  ///< into entrants.faces, or Partition::kFree
+    std::vector<VisibleOutline> outlines;
+    PublishedClipper published;
 
     void gather(std::span<const FaceView> faces);
     void enter(std::span<const FaceView> faces);
     void put_in_order();
-    void insert_all();
-    PixelCoverage coverage();
+    void divide(Nearness by);
+    PixelCoverage split_pixel(std::span<const FaceView> faces);
+    PixelCoverage split_faces_apart();
+    void add_part(const Entrant& face, const Measure& measure);
+    PixelCoverage traverse_pixel();
+    PixelCoverage publish_pixel();
+    PixelCoverage coverage(const Measure& free);
 
     ConvexOutline convex(std::span<const Point> outline);
     void measure_depth(Entrant& entrant);
@@ -219,35 +236,118 @@ void VisibleAreas::Working::put_in_order() {
                   [this](const Entrant& p, const Entrant& q) { return before(p, q); });
 }
 
-void VisibleAreas::Working::insert_all() {
-    partition.begin(pixel, entrants, nearness);
+void VisibleAreas::Working::divide(Nearness by) {
+    partition.begin(pixel, entrants, by);
     for (std::uint32_t who = 0; who < entrants.faces.size(); ++who) {
         const Entrant& face = entrants.faces[who];  // in ByDepth, those after it are no nearer
-        if (partition.hides_all_below(face.w_max + face.w_error)) return;
+        if (partition.hides_all_below(face.w_max + face.w_error)) break;
         partition.insert(who);
     }
+    divided = true;
 }
 
-PixelCoverage VisibleAreas::Working::coverage() {
+PixelCoverage VisibleAreas::Working::split_pixel(std::span<const FaceView> faces) {
+    divided = false;
+    // With many faces some overlap as a rule, and comparing all pairs would cost more than it saves.
+    constexpr std::size_t kFewFaces = 8;
+    if (entrants.faces.size() <= kFewFaces && clip::pairwise_apart(entrants)) return split_faces_apart();
+    if (nearness == Nearness::ByDepth) {
+        measure_depths(faces);
+        put_in_order();
+    }
+    divide(nearness);
     measures.assign(entrants.faces.size(), {});
     Measure free;
     for (std::size_t i = 0; i < partition.size(); ++i)
         (partition.label(i) == Partition::kFree ? free : measures[partition.label(i)]).add(partition.ring(i));
+    return coverage(free);
+}
+
+/// Each face shows all of itself; the background is what remains of 1.
+PixelCoverage VisibleAreas::Working::split_faces_apart() {
     parts.clear();
-    for (std::size_t i = 0; i < measures.size(); ++i) {
-        const double area = std::min(measures[i].area.value(), 1.0);
-        if (!(area > 0)) continue;
-        const Entrant& face = entrants.faces[i];
-        const Point centroid{std::clamp(measures[i].x.value() / area, face.box.min_x, face.box.max_x),
-                             std::clamp(measures[i].y.value() / area, face.box.min_y, face.box.max_y)};
-        parts.push_back({face.position, area, centroid});
+    CarefulSum rest;
+    rest.add(1);
+    for (const Entrant& face : entrants.faces) {
+        Measure measure;
+        measure.add(entrants.ring(face));
+        add_part(face, measure);
+        rest.add(-measure.area.value());
     }
+    // Faces that fill the pixel leave at most what the rounding of their corners and areas makes: about one
+    // rounding for each. Less than that is nothing.
+    const double nothing = kHalfUlp * static_cast<double>(2 + entrants.faces.size());
+    const double background = rest.value();
+    return {parts, background > nothing ? std::min(background, 1.0) : 0};
+}
+
+PixelCoverage VisibleAreas::Working::traverse_pixel() {
+    rings.clear();
+    ring_owner.clear();
+    measures.assign(entrants.faces.size(), {});
+    const auto keep = [this](const SignedRings& visible, std::uint32_t owner, Measure& measure) {
+        for (std::size_t i = 0; i < visible.size(); ++i) {
+            measure.add(visible.ring(i), visible.sign(i));
+            rings.add(visible.ring(i), visible.sign(i));
+            ring_owner.push_back(owner);
+        }
+    };
+    for (std::uint32_t who = 0; who < entrants.faces.size(); ++who)
+        keep(traversal.visible(pixel, entrants, who, nearness, observer), who, measures[who]);
+    Measure free;
+    keep(traversal.background(entrants, observer), Partition::kFree, free);
+    return coverage(free);
+}
+
+/// Areas as the paper's clipper gives them, wrong ones too, but for what PixelCoverage cannot say: those that
+/// are not above 0 are left out.
+PixelCoverage VisibleAreas::Working::publish_pixel() {
+    if (nearness == Nearness::ByDepth) {  // step (4): one list for the pixel, from nearest to farthest
+        const auto middle_w = [this](const Entrant& e) {
+            double w = 0;
+            for (const Point p : entrants.ring(e)) w += e.plane.a * p.x + e.plane.b * p.y;
+            return w / static_cast<double>(e.size) + e.plane.c.hi;
+        };
+        std::stable_sort(entrants.faces.begin(), entrants.faces.end(),
+                         [&](const Entrant& p, const Entrant& q) { return middle_w(p) > middle_w(q); });
+    }
+    std::vector<Ring> polygons;
+    for (const Entrant& e : entrants.faces) {
+        const std::span<const Point> ring = entrants.ring(e);
+        polygons.emplace_back(ring.begin(), ring.end());
+    }
+    polygons.emplace_back(std::begin(kPixelRing), std::end(kPixelRing));  // the background, farthest
+    const std::vector<double> areas = published.visible_areas(polygons);
+    measures.assign(entrants.faces.size(), {});
+    Measure free;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        Measure& measure = i < measures.size() ? measures[i] : free;
+        for (const PublishedClipper::Piece& piece : published.pieces_of(i))
+            if (piece.ring.size() >= 3) measure.add(piece.ring, piece.sign);
+        measure.area = {};
+        measure.area.add(areas[i]);
+    }
+    return coverage(free);
+}
+
+void VisibleAreas::Working::add_part(const Entrant& face, const Measure& measure) {
+    const double area = std::min(measure.area.value(), 1.0);
+    if (!(area > 0)) return;
+    parts.push_back({face.position, area,
+                     {std::clamp(measure.x.value() / area, face.box.min_x, face.box.max_x),
+                      std::clamp(measure.y.value() / area, face.box.min_y, face.box.max_y)}});
+}
+
+/// The measures of entrants.faces as parts in the order of the question.
+PixelCoverage VisibleAreas::Working::coverage(const Measure& free) {
+    parts.clear();
+    for (std::size_t i = 0; i < measures.size(); ++i) add_part(entrants.faces[i], measures[i]);
     std::sort(parts.begin(), parts.end(),
               [](const VisiblePart& p, const VisiblePart& q) { return p.face < q.face; });
     return {parts, std::clamp(free.area.value(), 0.0, 1.0)};
 }
 
-VisibleAreas::VisibleAreas() : working_(std::make_unique<Working>()) {}
+VisibleAreas::VisibleAreas(Engine engine) : working_(std::make_unique<Working>()) { working_->engine = engine; }
 VisibleAreas::~VisibleAreas() = default;
 VisibleAreas::VisibleAreas(VisibleAreas&&) noexcept = default;
 VisibleAreas& VisibleAreas::operator=(VisibleAreas&&) noexcept = default;
@@ -258,15 +358,22 @@ PixelCoverage VisibleAreas::operator()(PixelIndex pixel, std::span<const FaceVie
     work.nearness = nearness;
     work.gather(faces);
     work.enter(faces);
+    if (work.engine == Engine::Splitting) return work.split_pixel(faces);
     if (nearness == Nearness::ByDepth) work.measure_depths(faces);
     work.put_in_order();
-    work.insert_all();
-    return work.coverage();
+    switch (work.engine) {
+        case Engine::Traversal: return work.traverse_pixel();
+        case Engine::Published: return work.publish_pixel();
+        case Engine::Splitting: break;
+    }
+    return work.split_pixel(faces);
 }
 
 std::span<const VisiblePiece> VisibleAreas::pieces() {
     Working& work = *working_;
     work.pieces.clear();
+    if (work.engine != Engine::Splitting) return work.pieces;
+    if (!work.divided) work.divide(Nearness::InOrder);  // faces apart: any order will do
     for (std::size_t i = 0; i < work.partition.size(); ++i) {
         const std::uint32_t label = work.partition.label(i);
         const bool free = label == Partition::kFree;
@@ -274,6 +381,26 @@ std::span<const VisiblePiece> VisibleAreas::pieces() {
             {free ? VisiblePiece::kBackground : work.entrants.faces[label].position, work.partition.ring(i)});
     }
     return work.pieces;
+}
+
+std::span<const VisibleOutline> VisibleAreas::outlines() {
+    Working& work = *working_;
+    work.outlines.clear();
+    if (work.engine != Engine::Traversal) return work.outlines;
+    for (std::size_t i = 0; i < work.rings.size(); ++i) {
+        const std::uint32_t owner = work.ring_owner[i];
+        const std::uint32_t face =
+            owner == Partition::kFree ? VisiblePiece::kBackground : work.entrants.faces[owner].position;
+        work.outlines.push_back({face, work.rings.sign(i), work.rings.ring(i)});
+    }
+    return work.outlines;
+}
+
+void VisibleAreas::observe(std::function<void(const ClipStep&)> observer) { working_->observer = std::move(observer); }
+
+ClipStatistics VisibleAreas::statistics() const {
+    const PublishedTroubles& troubles = working_->published.troubles();
+    return {working_->traversal.folds(), troubles.did_not_close, troubles.odd_intersections};
 }
 
 }  // namespace keikan

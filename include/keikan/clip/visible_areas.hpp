@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
+#include "keikan/model/clip_step.hpp"
 #include "keikan/model/coverage.hpp"
 #include "keikan/model/face.hpp"
 #include "keikan/model/pixel.hpp"
@@ -15,6 +18,20 @@ inline constexpr double kVisibleAreaError = 2e-15;
 /// The same for the sum of all areas and the background, which is 1, with at most 32 faces.
 inline constexpr double kAreaSumError = 4e-15;
 
+/// How the pixel is divided (docs/numerics.md says what each is for, with figures).
+enum class Engine {
+    Splitting,  ///< convex cells in remainder form: fastest, the renderer's
+    Traversal,  ///< the paper's clipper, mended: visible outlines and classified contacts too
+    Published,  ///< the paper's clipper to the letter: to be studied; its areas may be wrong
+};
+
+/// What went on inside, since the object was made.
+struct ClipStatistics {
+    std::uint64_t folds = 0;              ///< Traversal: RingDifference::folds
+    std::uint64_t did_not_close = 0;      ///< Published: PublishedTroubles
+    std::uint64_t odd_intersections = 0;  ///< Published
+};
+
 /// Divides one pixel among the faces seen in it. One object a thread: it owns the memory that the work
 /// needs, so that no pixel allocates once the object has seen a pixel of that size.
 ///
@@ -25,6 +42,7 @@ inline constexpr double kAreaSumError = 4e-15;
 ///   (4) The result is the same for either orientation of an outline and for every start vertex.
 ///   (5) The same faces moved by whole pixels, where that is exact, give the same bits.
 ///   (6) Faces may pass through each other and overlap in a cycle.
+/// Engine::Published promises none of them; under Nearness::ByDepth it lists the faces by w in their middle.
 ///
 /// Requires: convex outlines (repeated points and outlines without area are allowed), finite numbers.
 ///           An outline that rounding made concave is taken as its convex hull.
@@ -33,7 +51,7 @@ inline constexpr double kAreaSumError = 4e-15;
 /// Checked:  every pixel of every picture, by verify/crosscheck.
 class VisibleAreas {
   public:
-    VisibleAreas();
+    explicit VisibleAreas(Engine engine = Engine::Splitting);
     ~VisibleAreas();
     VisibleAreas(VisibleAreas&&) noexcept;
     VisibleAreas& operator=(VisibleAreas&&) noexcept;
@@ -42,7 +60,17 @@ class VisibleAreas {
     PixelCoverage operator()(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
     /// The visible regions of the last call as convex pieces without overlap, the background among them.
+    /// Engine::Splitting only; nothing of the others.
     std::span<const VisiblePiece> pieces();
+
+    /// The visible regions of the last call as sums of signed rings without seams, the background among them.
+    /// Engine::Traversal only; nothing of the others.
+    std::span<const VisibleOutline> outlines();
+
+    /// Engine::Traversal: every clip step of the calls to come is shown to `observer`, in order.
+    void observe(std::function<void(const ClipStep&)> observer);
+
+    ClipStatistics statistics() const;
 
   private:
     struct Working;

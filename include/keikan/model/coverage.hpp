@@ -28,4 +28,11 @@ struct VisiblePiece {
     static constexpr std::uint32_t kBackground = 0xFFFFFFFFu;
 };
 
+/// One ring of a face's visible outline: a point is seen as often as the sum of sign times winding number says.
+struct VisibleOutline {
+    std::uint32_t face = 0;       ///< position in the list of faces; VisiblePiece::kBackground for what stays free
+    int sign = 1;                 ///< -1: a hole
+    std::span<const Point> ring;  ///< pixel-local
+};
+
 }  // namespace keikan
