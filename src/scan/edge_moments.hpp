@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "keikan/model/pixel.hpp"
 #include "keikan/model/point.hpp"
 
 namespace keikan {
@@ -24,7 +25,8 @@ struct Moments {
     }
 };
 
-/// What the edge p -> q (pixel-local) contributes to the part of its polygon that lies in the unit square:
+/// What the edge p -> q (image coordinates) contributes to the part of its polygon that lies in the pixel, in
+/// coordinates whose origin is the pixel's corner:
 ///   area = integral of clamp(x, 0, 1) dy,  x = integral of clamp(x, 0, 1)^2 / 2 dy,
 ///   y = integral of y clamp(x, 0, 1) dy,   each over the part of the edge with 0 <= y <= 1.
 /// Summed over all edges of a polygon that is Green's theorem for polygon and square at once: nothing needs
@@ -35,6 +37,6 @@ struct Moments {
 ///
 /// Error: 4 u (u = 2^-53) in `area`, for edges of any length: crossings with the square's borders are worked
 ///        out in double-double where the edge is longer than a pixel, and then err by one rounding.
-Moments edge_moments(Point p, Point q);
+Moments edge_moments(Point p, Point q, PixelIndex pixel);
 
 }  // namespace keikan

@@ -112,7 +112,12 @@ TEST_CASE("scan: a closed sheet's pixels are divided among its faces, without a 
     const Camera view = camera({40, 40});
     for (const int cells : {3, 17, 60}) {
         const Geometry scene = geometry(sheet(view, -4, -4, 48, cells, 10, 7));
-        for (const Shown& pixel : shown(scanned(scene, view), view.size)) CHECK(pixel.background == 0);
+        for (const Shown& pixel : shown(scanned(scene, view), view.size)) {
+            double sum = pixel.background;
+            for (const auto& [id, weight] : pixel.weights) sum += weight;
+            CHECK(pixel.background == 0);
+            CHECK(std::abs(sum - 1) <= kAreaSumError);
+        }
         check_against_visible_areas(scene, view, kCrowdedBounds);
     }
 }
@@ -152,7 +157,6 @@ TEST_CASE("scan: the bands are the same for 1, 2 and 8 threads (3)", "[scan][thr
     objects.push_back({"sheet", ObjectKind::Terrain, sheet(view, -4, -4, 110, 90, 14, 1)});
     objects.push_back({"soup", ObjectKind::Model, soup(view, 100, 4)});
     const Geometry scene = geometry(objects);
-    std::vector<std::vector<Shown>> results;
     std::vector<std::vector<ScanBand>> bands;
     for (const int threads : {1, 2, 8}) {
         const ThreadLimit limit(threads);
