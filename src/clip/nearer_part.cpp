@@ -20,9 +20,18 @@ void add_local_constant(Expansion<Capacity>& sum, PixelIndex pixel, const DepthP
 }  // namespace
 
 LocalPlane local_plane(PixelIndex pixel, const DepthPlane& plane) {
-    Expansion<5> c;
-    add_local_constant(c, pixel, plane, 1);
-    return {plane.a, plane.b, c.rounded(), plane};
+    // In double-double first: what may be lost is below 2^-102 of the terms. The exact sum is needed only if
+    // that could change the last bit of c.hi, which is the exact sum rounded in either case.
+    const DoubleDouble ax = two_product(plane.a, pixel.x), by = two_product(plane.b, pixel.y);
+    const DoubleDouble slopes = two_sum(ax.hi, by.hi), sum = two_sum(slopes.hi, plane.c);
+    const DoubleDouble c = quick_two_sum(sum.hi, sum.lo + (slopes.lo + (ax.lo + by.lo)));
+    const double lost = 0x1p-102 * (std::abs(ax.hi) + std::abs(by.hi) + std::abs(plane.c));
+    if (c.hi + (c.lo + lost) == c.hi && c.hi + (c.lo - lost) == c.hi) [[likely]]
+        return {plane.a, plane.b, c, lost, plane};
+    Expansion<5> exact;
+    add_local_constant(exact, pixel, plane, 1);
+    const DoubleDouble rounded = exact.rounded();
+    return {plane.a, plane.b, rounded, 0x1p-104 * std::abs(rounded.hi), plane};
 }
 
 NearnessDifference NearnessDifference::rough(const LocalPlane& first, const LocalPlane& second) {
@@ -32,8 +41,8 @@ NearnessDifference NearnessDifference::rough(const LocalPlane& first, const Loca
     d.c_.hi = (first.c.hi - second.c.hi) + (first.c.lo - second.c.lo);
     // Three roundings in each coefficient, four where they are put together, all of the terms' size; and what
     // the two constants had lost when they were rounded to two doubles.
-    d.error_ = 8 * kHalfUlp * (std::abs(d.a_.hi) + std::abs(d.b_.hi) + std::abs(d.c_.hi)) +
-               0x1p-100 * (std::abs(first.c.hi) + std::abs(second.c.hi));
+    d.error_ = 8 * kHalfUlp * (std::abs(d.a_.hi) + std::abs(d.b_.hi) + std::abs(d.c_.hi)) + first.c_error +
+               second.c_error;
     return d;
 }
 

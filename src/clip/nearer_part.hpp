@@ -15,8 +15,9 @@ struct Box {
 /// A depth plane relative to one pixel: w = a x + b y + c in pixel-local coordinates.
 struct LocalPlane {
     double a = 0, b = 0;
-    DoubleDouble c;    ///< c + a px + b py of `image`, summed exactly and rounded to two doubles
-    DepthPlane image;  ///< as given
+    DoubleDouble c;      ///< c + a px + b py of `image`; c.hi is the exact sum, rounded
+    double c_error = 0;  ///< how far c may be from it
+    DepthPlane image;    ///< as given
 };
 
 LocalPlane local_plane(PixelIndex pixel, const DepthPlane& plane);

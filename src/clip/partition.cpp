@@ -49,7 +49,7 @@ void Partition::insert(std::uint32_t who) {
     for (const std::uint32_t cell : near_) {
         const std::uint32_t label = label_[cell];
         if (label == kFree) {
-            carve(cell, Relation::InFront);
+            carve(cell);
             continue;
         }
         const Entrant& owner = entrants_->faces[label];
@@ -57,8 +57,7 @@ void Partition::insert(std::uint32_t who) {
             settle(cell);
             continue;
         }
-        const Relation relation = relation_to(label);
-        if (relation != Relation::Behind) carve(cell, relation);
+        if (rough_relation_to(label) != Relation::Behind) carve(cell);
     }
 }
 
@@ -106,25 +105,34 @@ void Partition::find_cells_near(const Box& box) {
     }
 }
 
-Partition::Relation Partition::relation_to(std::uint32_t label) {
+Partition::Relation Partition::rough_relation_to(std::uint32_t label) {
     Relation& relation = relation_[label];
     if (relation != Relation::Unknown) return relation;
     const Entrant& face = entrants_->faces[who_];
     const Entrant& other = entrants_->faces[label];
     const Box both = intersection(face.box, other.box);
-    const auto decided = [&both](const NearnessDifference& d) {
-        if (d.largest(both).certainly_negative()) return Relation::Behind;
-        if (d.smallest(both).certainly_positive()) return Relation::InFront;
-        return Relation::Mixed;
-    };
-    relation = decided(NearnessDifference::rough(face.plane, other.plane));
-    if (relation == Relation::Mixed) {
-        difference_[label] = NearnessDifference::exact(pixel_, face.plane, other.plane);
-        if (difference_[label].is_zero())
-            relation = face.id < other.id ? Relation::InFront : Relation::Behind;
-        else
-            relation = decided(difference_[label]);
-    }
+    const NearnessDifference rough = NearnessDifference::rough(face.plane, other.plane);
+    relation = rough.largest(both).certainly_negative()    ? Relation::Behind
+               : rough.smallest(both).certainly_positive() ? Relation::InFront
+                                                           : Relation::Open;
+    return relation;
+}
+
+Partition::Relation Partition::relation_to(std::uint32_t label) {
+    if (label == kFree) return Relation::InFront;
+    Relation& relation = relation_[label];
+    if (relation != Relation::Open) return relation;
+    const Entrant& face = entrants_->faces[who_];
+    const Entrant& other = entrants_->faces[label];
+    const Box both = intersection(face.box, other.box);
+    NearnessDifference& exact = difference_[label];
+    exact = NearnessDifference::exact(pixel_, face.plane, other.plane);
+    if (exact.is_zero())
+        relation = face.id < other.id ? Relation::InFront : Relation::Behind;
+    else
+        relation = exact.largest(both).certainly_negative()    ? Relation::Behind
+                   : exact.smallest(both).certainly_positive() ? Relation::InFront
+                                                               : Relation::Mixed;
     return relation;
 }
 
@@ -144,22 +152,32 @@ bool Partition::keep_inside(Current& current, const Cut& cut) {
     return true;
 }
 
-void Partition::carve(std::uint32_t cell, Relation relation) {
+/// Which edges cut the cell? False if the face passes it by, which is the most frequent answer.
+bool Partition::find_reaching_cuts(std::uint32_t cell) {
     const Range whole = ring_[cell];
+    const Point* const ring = points_.data() + whole.begin;
     // Room for what may come: a cut adds two corners to a ring, and twice if rounding has bent it.
     const std::size_t longest = 2 * (whole.size + 2 * cuts_.size() + 4);
-    reserve_points((cuts_.size() + 2) * longest);
     if (side_.size() < longest) side_.resize(2 * longest), buffer_.resize(4 * longest);
-    Current current{points_.data() + whole.begin, whole.size, buffer_.data(),
-                    buffer_.data() + buffer_.size() / 2};
-
-    // Which edges reach into the cell? Most often the answer is that the face passes it by.
     reaching_.clear();
     for (std::uint32_t k = 0; k < cuts_.size(); ++k) {
-        const Sides sides = sides_of(cuts_[k], current.ring, current.size, side_.data());
-        if (sides.inside == 0) return;
+        const Sides sides = sides_of(cuts_[k], ring, whole.size, side_.data());
+        if (sides.inside == 0) return false;
         if (sides.outside != 0) reaching_.push_back(k);
     }
+    reserve_points((reaching_.size() + 2) * longest);
+    return true;
+}
+
+/// Gives the part of the cell that the face covers, and where it is nearer, to the face.
+void Partition::carve(std::uint32_t cell) {
+    if (!find_reaching_cuts(cell)) return;
+    const std::uint32_t label = label_[cell];
+    const Relation relation = relation_to(label);
+    if (relation == Relation::Behind) return;
+    const Range whole = ring_[cell];
+    Current current{points_.data() + whole.begin, whole.size, buffer_.data(),
+                    buffer_.data() + buffer_.size() / 2};
     const std::size_t used_before = used_;
     pending_.clear();
     for (const std::uint32_t k : reaching_) {
@@ -168,7 +186,6 @@ void Partition::carve(std::uint32_t cell, Relation relation) {
             return;
         }
     }
-    const std::uint32_t label = label_[cell];
     if (relation == Relation::Mixed) {
         if (!keep_inside(current, DepthCut(difference_[label]))) {
             used_ = used_before;  // it is behind wherever it overlaps the cell

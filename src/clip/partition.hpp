@@ -56,7 +56,8 @@ class Partition {
     }
 
   private:
-    enum class Relation : std::uint8_t { Unknown, Behind, InFront, Mixed };
+    /// Of the face being inserted to another, where both are. Open: the rough difference could not tell.
+    enum class Relation : std::uint8_t { Unknown, Open, Behind, InFront, Mixed };
     struct Range {
         std::uint32_t begin = 0;
         std::uint32_t size = 0;
@@ -71,8 +72,10 @@ class Partition {
 
     void cuts_of(const Entrant& face);
     void find_cells_near(const Box& box);
+    Relation rough_relation_to(std::uint32_t label);
     Relation relation_to(std::uint32_t label);
-    void carve(std::uint32_t cell, Relation relation);
+    bool find_reaching_cuts(std::uint32_t cell);
+    void carve(std::uint32_t cell);
     /// Divides `current`; the outside part becomes pending. False if nothing of it is inside.
     template <class Cut>
     bool keep_inside(Current& current, const Cut& cut);
