@@ -130,3 +130,17 @@ TEST_CASE("oracle: corners may lie as far away as doubles reach", "[oracle]") {
     check(asked({{{-1e300, 0.5}, {1e300, 0.5}, {1e300, 1e300}, {-1e300, 1e300}}}), {q(1, 2), q(1, 2)});
     check(asked({square(-1e18, 0, 0.25, 1e18)}), {q(1, 4), q(3, 4)});
 }
+
+TEST_CASE("oracle: parts that touch at a point, where CGAL's differences give up, are answered", "[oracle]") {
+    const auto quarters = [](Ring ring) {
+        for (Point& p : ring) p = {p.x / 4, p.y / 4};
+        return ring;
+    };
+    const PixelCase question = asked({quarters({{2, 3}, {4, 0}, {3, 4}}), quarters({{1, 0}, {0, 2}, {4, 1}}),
+                                      quarters({{3, 3}, {0, 1}, {3, 0}}), quarters({{0, 1}, {1, 1}, {3, 4}})});
+    const auto faces = question.faces();
+    const auto exact = areas_by_boolean_sets({}, faces, Nearness::InOrder);
+    CHECK(exact.background == q(6817, 13728));
+    CHECK(exact.areas[3] == q(499, 14080));
+    CHECK(exact == areas_by_rational_splitting({}, faces, Nearness::InOrder));
+}

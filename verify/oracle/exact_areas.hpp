@@ -23,6 +23,10 @@ struct ExactAreas {
 /// EPECK), its area summed exactly.
 ExactAreas areas_by_boolean_sets(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
+/// Proof by a third method of CGAL's, which answers where the Boolean set operations give up: one arrangement of all
+/// segments, each of whose faces is seen whole.
+ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
+
 /// Proof by another method: convex splitting of point lists in rational arithmetic.
 ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 

@@ -78,9 +78,8 @@ void ExactLines::start(PixelIndex pixel) {
 
 /// The same for every pixel, since coordinates are pixel-local.
 void ExactLines::add_borders() {
-    const Int128 one = static_cast<Int128>(1) << kUnitBits;
-    const auto border = [this, one](int a, int b, int c) {
-        const WideInteger<4> away = WideInteger<2>(one) * WideInteger<2>(c);
+    const auto border = [this](int a, int b, int c) {
+        const WideInteger<4> away = WideInteger<2>(static_cast<Int128>(1) << kUnitBits) * WideInteger<2>(c);
         add_line(ExactLine{WideInteger<2>(a), WideInteger<2>(b), away}, -1, -1);
     };
     border(0, 1, 0);   // y >= 0
