@@ -337,18 +337,35 @@ bool may_overlap(PixelIndex index, std::span<const Point> outline) {
 
 Overlap overlap(PixelIndex index, const ConvexOutline& outline, std::vector<EdgeView>& views) {
     const Borders pixel(index);
-    const std::size_t n = outline.size();
-    Set outside = 0;
-    Point p = outline[0];
+    const std::size_t n = outline.size(), first = views.size();
+    views.resize(first + n);
+    EdgeView* const view = views.data() + first;
+    Set beyond = 0;
+    bool reaches_in = false;
     for (std::size_t i = 0; i < n; ++i) {
-        const Point q = outline[i + 1 < n ? i + 1 : 0];
-        const CornerSides sides = corner_sides(pixel, p, q);
-        if (sides.inside == 0) return Overlap::Nothing;
-        outside |= sides.outside;
-        views.push_back({static_cast<std::uint8_t>(pixel.beyond(p)), static_cast<std::uint8_t>(sides.inside),
-                         static_cast<std::uint8_t>(sides.outside)});
-        p = q;
+        const Set place = pixel.beyond(outline[i]);
+        view[i] = {static_cast<std::uint8_t>(place), 0, 0};
+        beyond |= place;
+        reaches_in = reaches_in || place == 0;
     }
+    if (beyond == 0) return Overlap::Part;  // all of it is in the pixel, and no corner of the pixel in it
+    Set outside = 0;
+    const auto look = [&](std::size_t i) {
+        const CornerSides sides = corner_sides(pixel, outline[i], outline[i + 1 < n ? i + 1 : 0]);
+        view[i].inside = static_cast<std::uint8_t>(sides.inside);
+        view[i].outside = static_cast<std::uint8_t>(sides.outside);
+        outside |= sides.outside;
+        return sides.inside != 0;
+    };
+    // An edge beyond one border does not part the pixel, unless the outline misses it altogether (if a
+    // corner were outside this edge alone, the way from there to a point of both would cross the edge in
+    // the pixel). So it is looked at only if the others leave that open.
+    const auto shuns = [&](std::size_t i) { return (view[i].beyond & view[i + 1 < n ? i + 1 : 0].beyond) != 0; };
+    for (std::size_t i = 0; i < n; ++i)
+        if (!shuns(i) && !look(i)) return Overlap::Nothing;
+    if (outside != 0 || reaches_in) return Overlap::Part;
+    for (std::size_t i = 0; i < n; ++i)
+        if (shuns(i) && !look(i)) return Overlap::Nothing;
     return outside == 0 ? Overlap::WholePixel : Overlap::Part;
 }
 

@@ -161,9 +161,9 @@ bool Partition::find_reaching_cuts(std::uint32_t cell) {
     if (side_.size() < longest) side_.resize(2 * longest), buffer_.resize(4 * longest);
     reaching_.clear();
     for (std::uint32_t k = 0; k < cuts_.size(); ++k) {
-        const Sides sides = sides_of(cuts_[k], ring, whole.size, side_.data());
-        if (sides.inside == 0) return false;
-        if (sides.outside != 0) reaching_.push_back(k);
+        const Reach reach = reach_of(cuts_[k], ring, whole.size);
+        if (!reach.inside) return false;
+        if (reach.outside) reaching_.push_back(k);
     }
     reserve_points((reaching_.size() + 2) * longest);
     return true;

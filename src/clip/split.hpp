@@ -69,6 +69,23 @@ Sides sides_of(const Cut& cut, const Point* ring, std::size_t n, double* side) {
     return sides;
 }
 
+/// Whether any corner is strictly inside a cut, and whether any is strictly outside.
+struct Reach {
+    bool inside = false;
+    bool outside = false;
+};
+
+template <class Cut>
+Reach reach_of(const Cut& cut, const Point* ring, std::size_t n) {
+    double largest = cut.side(ring[0]), smallest = largest;
+    for (std::size_t i = 1; i < n; ++i) {
+        const double side = cut.side(ring[i]);
+        largest = side > largest ? side : largest;
+        smallest = side < smallest ? side : smallest;
+    }
+    return {largest > cut.on_line, smallest < -cut.on_line};
+}
+
 /// Where the segment p q passes side 0, snapped; the same for q p. Requires sides of opposite sign.
 inline Point crossing(Point p, double side_p, Point q, double side_q) {
     // From the end nearer to the line, so that the rounding of the way there stays below half an ulp.
