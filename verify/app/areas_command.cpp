@@ -30,10 +30,10 @@ crosscheck::CheckSummary check_file(const std::string& file, const crosscheck::C
 }
 
 void areas(const AreasCommand& command, CommonOptions& common) {
-    require_engine(command.engine);
     const ThreadLimit threads(common.threads);
     const auto start = std::chrono::steady_clock::now();
     crosscheck::CaseCheckOptions options;
+    options.engine = engine_of(command.engine);
     options.seed = common.seed;
     crosscheck::CheckSummary summary;
     for (const std::string& file : command.files) summary += check_file(file, options);
@@ -53,7 +53,8 @@ void add_areas_command(CLI::App& app, CommonOptions& common) {
         app.add_subcommand("areas", "Pixel cases (docs/cases.md): visible areas, float against exact");
     const auto command = std::make_shared<AreasCommand>();
     sub->add_option("FILE", command->files, "Pixel cases, or - for standard input")->required();
-    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
+        ->capture_default_str();
     sub->callback([command, &common] { areas(*command, common); });
 }
 

@@ -66,12 +66,12 @@ crosscheck::CheckSummary check_bands(const ProjectedFaces& faces, const Geometry
 }
 
 void scene(const SceneCommand& command, CommonOptions& common) {
-    require_engine(command.engine);
     ScanOptions scan;
     scan.extraction = extraction_of(command.extract);
     crosscheck::SceneCheckOptions options;
     options.flagged_only = flagged_only_of(command.pixels);
     options.spans_are_exact = scan.extraction == Extraction::Outline;
+    options.engine = engine_of(command.engine);
     options.seed = common.seed;
     const bool reported = !command.report.empty();
     if (reported) crosscheck::make_report_folder(command.report);
@@ -108,7 +108,8 @@ void add_scene_command(CLI::App& app, CommonOptions& common) {
     sub->add_option("SCENE", command->scene, "Scene file (docs/scene.md)")->required();
     sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
     sub->add_option("--pixels", command->pixels, "Which are checked: all, flagged")->capture_default_str();
-    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
+        ->capture_default_str();
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
     sub->add_option("--report", command->report,

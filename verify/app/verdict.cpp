@@ -43,8 +43,11 @@ void tell_verdict(const crosscheck::CheckSummary& summary, const std::string& js
     fmt::print(stderr, "{}\n", in_words(summary));
 }
 
-void require_engine(const std::string& engine) {
-    if (engine != "splitting") throw InputError("--engine " + engine + ": there is only: splitting");
+Engine engine_of(const std::string& name) {
+    if (name == "splitting") return Engine::Splitting;
+    if (name == "traversal") return Engine::Traversal;
+    if (name == "published") return Engine::Published;
+    throw InputError("--engine " + name + ": there are only: splitting, traversal, published");
 }
 
 std::string shell_word(const std::string& text) {

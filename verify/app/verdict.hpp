@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "crosscheck/check_summary.hpp"
+#include "keikan/clip/visible_areas.hpp"
 
 namespace keikan {
 
@@ -14,8 +15,8 @@ namespace keikan {
 void tell_verdict(const crosscheck::CheckSummary& summary, const std::string& json, CommonOptions& common,
                   const std::function<std::string(const crosscheck::Disagreement&)>& replay_command);
 
-/// Engines for visible areas. Errors: InputError for what is not built.
-void require_engine(const std::string& engine);
+/// "splitting", "traversal" or "published". Errors: InputError.
+Engine engine_of(const std::string& name);
 
 /// `text` as one word of a shell command.
 std::string shell_word(const std::string& text);

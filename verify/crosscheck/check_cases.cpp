@@ -15,6 +15,7 @@ constexpr std::size_t kCasesAtOnce = 512;
 
 /// One of each kind for a thread, or for a run of cases.
 struct Working {
+    explicit Working(Engine engine) : product(engine) {}
     VisibleAreas product;
     PixelComparison compare;
 };
@@ -43,7 +44,7 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
 }  // namespace
 
 PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options) {
-    Working working;
+    Working working(options.engine);
     return verdict_of(pixel_case, index, options, working);
 }
 
@@ -59,7 +60,7 @@ CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCh
                 break;
         std::vector<PixelVerdict> verdicts(cases.size());
         parallel_ranges(cases.size(), 8, [&](std::size_t begin, std::size_t end) {
-            Working working;
+            Working working(options.engine);
             for (std::size_t i = begin; i < end; ++i)
                 verdicts[i] = verdict_of(cases[i], first + i, options, working);
         });

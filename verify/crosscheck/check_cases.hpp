@@ -5,11 +5,13 @@
 #include <string>
 
 #include "check_summary.hpp"
+#include "keikan/clip/visible_areas.hpp"
 #include "keikan/model/pixel_case.hpp"
 
 namespace keikan::crosscheck {
 
 struct CaseCheckOptions {
+    Engine engine = Engine::Splitting;
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// So many cases at the start of each file are put to every rung; after them one in so many.
     std::uint64_t all_rungs_for_first = 256;

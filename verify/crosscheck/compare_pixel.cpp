@@ -165,7 +165,9 @@ PixelVerdict PixelComparison::operator()(const Question& question, const Claim& 
     bool settled = quick.certified && all_hold(comparisons, bound);
 
     std::optional<oracle::ExactAreas> exact;
-    if (!settled || given || proofs.rational || proofs.boolean_sets) {
+    const bool enough =
+        settled || (quick.certified && proofs.on_disagreement == Proofs::OnDisagreement::Nothing);
+    if (!enough || given || proofs.rational || proofs.boolean_sets) {
         exact = oracle::areas_by_rational_splitting(question.pixel, question.faces, question.nearness);
         ++verdict.rungs.rational;
         if (quick.certified && !within(quick, *exact))
@@ -173,7 +175,7 @@ PixelVerdict PixelComparison::operator()(const Question& question, const Claim& 
         comparisons = compared(claim, *exact);
         settled = all_hold(comparisons, bound);
     }
-    if (proofs.boolean_sets || (!settled && proofs.boolean_sets_on_disagreement)) {
+    if (proofs.boolean_sets || (!settled && proofs.on_disagreement == Proofs::OnDisagreement::BooleanSets)) {
         const auto sets = oracle::areas_by_boolean_sets(question.pixel, question.faces, question.nearness);
         ++verdict.rungs.cgal;
         if (!(sets == *exact)) rungs_differ("CGAL's Boolean set operations and rational splitting differ");

@@ -34,9 +34,14 @@ Claim claim_of(const PixelCoverage& coverage, std::size_t faces, PixelIndex pixe
 
 /// Which proofs are wanted beyond what the comparison itself needs.
 struct Proofs {
-    bool rational = false;                     ///< areas_by_rational_splitting in any case
-    bool boolean_sets = false;                 ///< and CGAL's Boolean set operations
-    bool boolean_sets_on_disagreement = true;  ///< the last word on every area that is off
+    bool rational = false;      ///< areas_by_rational_splitting in any case
+    bool boolean_sets = false;  ///< and CGAL's Boolean set operations
+    /// How far to go where an area seems to be off.
+    enum class OnDisagreement {
+        BooleanSets,  ///< rational splitting, and if that confirms it, the last word
+        Rational,     ///< rational splitting alone
+        Nothing,      ///< a certified difference is enough: the claim is known to be rough
+    } on_disagreement = OnDisagreement::BooleanSets;
 };
 
 /// The exact answers that a case states, "p/q".

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "claimed_row.hpp"
 #include "error_bounds.hpp"
@@ -38,7 +39,9 @@ class SceneCheck::RowCheck {
         : check_(check),
           y_(y),
           claimed_(claimed_row(band, y, check.size_.width, check.faces_)),
-          row_(check.bins_.row(y)) {}
+          row_(check.bins_.row(y)) {
+        if (check.options_.engine != Engine::Splitting) engine_.emplace(check.options_.engine);
+    }
 
     RowResult run() {
         for (const Disagreement& fault : claimed_.faults) {
@@ -78,13 +81,9 @@ class SceneCheck::RowCheck {
 
     PixelVerdict verdict_of(PixelIndex pixel, const ClaimedRow::Pixel& claimed,
                             std::span<const std::uint32_t> candidates) {
-        const std::uint64_t draw = draw_of(check_.options_.seed, pixel);
-        const Proofs proofs{.rational = draw % check_.options_.rational_one_in == 0,
-                            .boolean_sets = draw % check_.options_.boolean_sets_one_in == 0,
-                            .boolean_sets_on_disagreement = confirmed_ < kConfirmedPerRow};
-        const bool sample = proofs.rational || proofs.boolean_sets;
+        const Proofs proofs = proofs_for(pixel, claimed);
         const std::span<const ClaimedRow::Part> parts = claimed_.parts_of(claimed);
-        if (sample)
+        if (proofs.rational || proofs.boolean_sets)
             asked_.assign(candidates.begin(), candidates.end());
         else {
             check_.hiding_(pixel, candidates, remaining_);
@@ -93,16 +92,40 @@ class SceneCheck::RowCheck {
         }
         // A face that is claimed to be seen is asked about even where it cannot be.
         for (const ClaimedRow::Part& part : parts) add_sorted(asked_, part.face);
-
         views_.clear();
         for (const std::uint32_t face : asked_) views_.push_back(check_.faces_[face]);
-        Claim claim{std::vector<double>(asked_.size(), 0.0), claimed.background};
-        for (const ClaimedRow::Part& part : parts)
-            claim.areas[static_cast<std::size_t>(std::ranges::lower_bound(asked_, part.face) -
-                                                 asked_.begin())] += part.area;
+
+        std::vector<Disagreement> faults;
+        const Claim claim = claim_for(pixel, claimed, faults);
         PixelVerdict verdict = compare_({pixel, views_, Nearness::ByDepth}, claim, proofs);
+        verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
         confirmed_ += !verdict.disagreements.empty();
         return verdict;
+    }
+
+    Proofs proofs_for(PixelIndex pixel, const ClaimedRow::Pixel& claimed) const {
+        const SceneCheckOptions& options = check_.options_;
+        const std::uint64_t draw = draw_of(options.seed, pixel);
+        const bool rough = claimed.source != Source::ExactAreas && !options.spans_are_exact;
+        using enum Proofs::OnDisagreement;
+        return {.rational = draw % options.rational_one_in == 0,
+                .boolean_sets = draw % options.boolean_sets_one_in == 0,
+                .on_disagreement = rough                           ? Nothing
+                                   : confirmed_ < kConfirmedPerRow ? BooleanSets
+                                                                   : Rational};
+    }
+
+    /// What the product says of the faces `asked_`: the scan, or another engine where the pixel is divided
+    /// exactly.
+    Claim claim_for(PixelIndex pixel, const ClaimedRow::Pixel& claimed, std::vector<Disagreement>& faults) {
+        if (engine_ && claimed.source == Source::ExactAreas)
+            return claim_of((*engine_)(pixel, views_, Nearness::ByDepth), views_.size(), pixel, faults);
+        Claim claim{std::vector<double>(asked_.size(), 0.0), claimed.background};
+        for (const ClaimedRow::Part& part : claimed_.parts_of(claimed)) {
+            const auto at = std::ranges::lower_bound(asked_, part.face) - asked_.begin();
+            claim.areas[static_cast<std::size_t>(at)] += part.area;
+        }
+        return claim;
     }
 
     /// Whether the claim is what CertainHiding has decided, to the last bit.
@@ -117,6 +140,7 @@ class SceneCheck::RowCheck {
     ClaimedRow claimed_;
     FaceBins::Row row_;
     PixelComparison compare_;
+    std::optional<VisibleAreas> engine_;
     CertainHiding::Remaining remaining_;
     std::vector<std::uint32_t> asked_;
     std::vector<FaceView> views_;

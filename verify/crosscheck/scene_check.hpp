@@ -6,6 +6,7 @@
 #include "certain_hiding.hpp"
 #include "check_summary.hpp"
 #include "face_bins.hpp"
+#include "keikan/clip/visible_areas.hpp"
 #include "keikan/image/image.hpp"
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/scan/scan_band.hpp"
@@ -17,6 +18,9 @@ struct SceneCheckOptions {
     /// The unflagged pixels answer for their areas too (Extraction::Outline). Otherwise (Extraction::Paper)
     /// their errors are measured and are no disagreements.
     bool spans_are_exact = true;
+    /// The scan divides pixels with Engine::Splitting. Another engine is asked about the divided pixels
+    /// beside it, and answers for them; everything else is the scan's.
+    Engine engine = Engine::Splitting;
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// One pixel in so many is put, with every face whose bounding box meets it, to rational splitting and to
     /// CGAL's Boolean set operations, whatever the cheaper rungs say.
