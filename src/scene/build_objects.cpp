@@ -11,6 +11,7 @@
 #include "keikan/scene/terrain.hpp"
 #include "keikan/support/input_error.hpp"
 #include "simple_polygon.hpp"
+#include "tower_stand.hpp"
 
 namespace keikan {
 namespace {
@@ -23,34 +24,12 @@ double base_height(const HeightAboveGround& base, glm::dvec2 place, const Ground
     return base.above_ground ? ground.height(place.x, place.y) + base.metres : base.metres;
 }
 
-/// Four feet that reach the ground: the base plane passes through the highest, each leg goes on along its own
-/// slope, which moves the foot outwards, until it meets the ground.
-TowerStand stand_on(const TowerBlock& tower, const Ground& ground) {
-    constexpr std::array<glm::dvec2, 4> kFeet{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    const double cosine = std::cos(tower.yaw_rad), sine = std::sin(tower.yaw_rad);
-    const auto ground_under = [&](std::size_t foot, double drop_m) {
-        const glm::dvec2 local = foot_half_width_m(tower.design, drop_m) * kFeet[foot];
-        return ground.height(tower.place.x + cosine * local.x - sine * local.y,
-                             tower.place.y + sine * local.x + cosine * local.y);
-    };
-    TowerStand stand;
-    stand.yaw_rad = tower.yaw_rad;
-    double base = -std::numeric_limits<double>::infinity();
-    for (std::size_t foot = 0; foot < 4; ++foot) base = std::max(base, ground_under(foot, 0));
-    stand.base = {tower.place, base};
-    for (std::size_t foot = 0; foot < 4; ++foot) {
-        double drop = 0;
-        for (int i = 0; i < 40; ++i) drop = std::max(0.0, base - ground_under(foot, drop));
-        stand.foot_drop_m[foot] = drop;
-    }
-    return stand;
-}
-
 void build(const TowerBlock& tower, const ObjectBlock& block, const Ground& ground, const Camera&,
            Geometry& geometry) {
     TowerStand stand;
     if (tower.base.above_ground && tower.base.metres == 0) {
-        stand = stand_on(tower, ground);
+        stand = stand_on_ground(tower.design, tower.place, tower.yaw_rad,
+                                [&](double x, double y) { return ground.height(x, y); });
     } else {
         stand.base = {tower.place, base_height(tower.base, tower.place, ground)};
         stand.yaw_rad = tower.yaw_rad;

@@ -94,11 +94,10 @@ using GroundHeight = std::function<double(double x_m, double y_m)>;
 ///
 /// Properties:
 ///   (1) Every face is convex and its corners are within kPlanarity of one plane; prisms are closed.
-///   (2) Neighbouring segments of one level share their vertices (the same index); where the level changes
-///   both
-///       end in the same plane across the wire.
+///   (2) A prism's sections lie in vertical planes across the span, so that its sides are parallelograms and
+///       neighbouring pieces of a wire end in the same plane, whatever their levels.
 ///   (3) The thickness seen is the true one within kThicknessError, however small it is on the screen.
-///   (4) A wire's ends are the towers' attachment points (sub-conductors: around them), bit for bit.
+///   (4) A wire's axis ends at the towers' attachment points (sub-conductors: around them), bit for bit.
 ///
 /// Errors: InputError (reason only; the caller knows the place) for a design out of range, towers that stand
 /// on
@@ -116,10 +115,11 @@ inline constexpr std::array<WireLevel, 5> kWireLevels{{{12, 8.0}, {8, 4.0}, {6, 
 /// that).
 inline constexpr double kChordErrorPx = 0.01;
 
-/// Relative error of the thickness seen. A prism shows its full diameter across the direction that it was
-/// turned to, and is turned anew after 10 degrees: cos 10 deg = 0.985; a ribbon after 2.5 degrees: 0.999. The
-/// rest is the mitre at segment ends and the change of the eye's direction inside one segment.
-inline constexpr double kThicknessError = 0.02;
+/// Relative error of the thickness seen. A piece of wire is turned anew where the direction of view changes by
+/// more than 10 degrees around it (cos 10 deg = 0.985), and where its slope does by more than 2.5 degrees from
+/// the slope that its sections were made for (up to a slope of 30 degrees: 0.6 * 2.5 deg = 0.025 of the
+/// vertical extent, half of which is seen). A ribbon's corners deviate by less.
+inline constexpr double kThicknessError = 0.03;
 
 /// Towers whose legs are at least this thick on the screen are drawn as angle steel rather than boxes.
 inline constexpr double kAngleWidthPx = 4;
