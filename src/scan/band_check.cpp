@@ -41,7 +41,9 @@ bool covers_row(const ScanBand& band, std::size_t row, int width) {
     return span == band.span_begin[row + 1] && divided == band.divided_begin[row + 1];
 }
 
-bool is_fraction(double v) { return v >= 0 && v <= 1; }  // false for NaN
+bool is_fraction(double v) {
+    return v >= 0 && v <= 1;
+}  // false for NaN
 
 }  // namespace
 

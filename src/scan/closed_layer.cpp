@@ -9,8 +9,8 @@
 namespace keikan {
 namespace {
 
-/// A smaller share is left out: rounding leaves as much of a face that only touches the pixel. What is lost is
-/// a fifth of kVisibleAreaError.
+/// A smaller share is left out: rounding leaves as much of a face that only touches the pixel. What is lost
+/// is a fifth of kVisibleAreaError.
 constexpr double kLeastShare = 4 * 0x1p-53;
 
 /// Position of `face` among the candidates, which rise by face; their number where it is none of them.
@@ -29,8 +29,8 @@ std::size_t position_of(std::uint32_t face, std::span<const Candidate> candidate
 
 /// Whether the edge's bounding box, and with it the edge, misses the pixel's interior; exact.
 bool box_misses(Point p, Point q, PixelIndex pixel) {
-    return std::max(p.x, q.x) <= pixel.x || std::min(p.x, q.x) >= pixel.x + 1 || std::max(p.y, q.y) <= pixel.y ||
-           std::min(p.y, q.y) >= pixel.y + 1;
+    return std::max(p.x, q.x) <= pixel.x || std::min(p.x, q.x) >= pixel.x + 1 ||
+           std::max(p.y, q.y) <= pixel.y || std::min(p.y, q.y) >= pixel.y + 1;
 }
 
 /// Whether w of `front` is larger than w of `back` all over the box, for certain. Their difference is affine,
@@ -39,9 +39,10 @@ bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double lef
                      double bottom) {
     for (const double x : {left, right})
         for (const double y : {top, bottom}) {
-            const double difference = (front.a * x + front.b * y + front.c) - (back.a * x + back.b * y + back.c);
-            // The subtraction itself rounds once more; doubling both bounds covers it, as |w| is below the sum
-            // of the sizes that the bound is made of.
+            const double difference =
+                (front.a * x + front.b * y + front.c) - (back.a * x + back.b * y + back.c);
+            // The subtraction itself rounds once more; doubling both bounds covers it, as |w| is below the
+            // sum of the sizes that the bound is made of.
             if (!(difference > 2 * (plane_error(front, x, y) + plane_error(back, x, y)))) return false;
         }
     return true;
@@ -57,11 +58,11 @@ Moments beside_pixel(Point p, Point q, PixelIndex pixel, bool on_the_right) {
 
 }  // namespace
 
-/// Collects what is connected with `start` through shared edges, and sums up the moments of each face, edge by
-/// edge; an edge inside the layer is worked out once for both of its faces. An edge needs no neighbour when
-/// it cannot meet the pixel's interior: the pixel lies wholly on its inner side, or the edge's box beside the
-/// pixel. (With the outer side, which no candidate has, these are all the ways in which a segment and a
-/// square can be apart.)
+/// Collects what is connected with `start` through shared edges, and sums up the moments of each face, edge
+/// by edge; an edge inside the layer is worked out once for both of its faces. An edge needs no neighbour
+/// when it cannot meet the pixel's interior: the pixel lies wholly on its inner side, or the edge's box
+/// beside the pixel. (With the outer side, which no candidate has, these are all the ways in which a segment
+/// and a square can be apart.)
 bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
                        const FaceNeighbours& neighbours, std::span<const Candidate> candidates,
                        std::size_t start) {
@@ -137,8 +138,8 @@ bool ClosedLayer::hides(PixelIndex pixel, const ProjectedFaces& faces, const std
         const double common_top = std::max(top, front.top), common_bottom = std::min(bottom, front.bottom);
         return common_left > common_right || common_top > common_bottom ||
                candidates[member].w_min > candidates[other].w_max ||
-               nearer_over_box(faces.plane[candidates[member].face], faces.plane[back], common_left, common_top,
-                               common_right, common_bottom);
+               nearer_over_box(faces.plane[candidates[member].face], faces.plane[back], common_left,
+                               common_top, common_right, common_bottom);
     });
 }
 
@@ -159,8 +160,8 @@ bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std:
         w_min_ = std::min(w_min_, candidates[m].w_min);
         if (share <= kLeastShare) continue;
         const auto within = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
-        parts_.push_back({face, within(moments.x / moments.area), within(moments.y / moments.area),
-                          std::min(share, 1.0)});
+        parts_.push_back(
+            {face, within(moments.x / moments.area), within(moments.y / moments.area), std::min(share, 1.0)});
     }
     return std::abs(area - 1) < 0.25;  // a whole number, rounded by far less
 }

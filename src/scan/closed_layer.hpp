@@ -21,15 +21,16 @@ namespace keikan {
 /// told from the next whole number.
 class ClosedLayer {
   public:
-    /// Looks for a closed set that holds `candidates[start]` and tiles the pixel. Faces that meet the pixel and
-    /// are no candidates may be missing: a set that needs them is not closed.
+    /// Looks for a closed set that holds `candidates[start]` and tiles the pixel. Faces that meet the pixel
+    /// and are no candidates may be missing: a set that needs them is not closed.
     bool find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
               const FaceNeighbours& neighbours, std::span<const Candidate> candidates, std::size_t start);
 
     /// Of the layer found, each face's share. Parts name projected faces and come by rising face. A share
     /// below what rounding can tell from nothing is left out.
     std::span<const SeenPart> parts() const { return parts_; }
-    /// Whether candidate `other`, none of the layer found, lies wholly behind it within the pixel, for certain.
+    /// Whether candidate `other`, none of the layer found, lies wholly behind it within the pixel, for
+    /// certain.
     bool hides(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
                std::span<const Candidate> candidates, std::size_t other) const;
 

@@ -46,7 +46,9 @@ Moments on_the_right(double top, double bottom) {
     return {height, height / 2, height * (top + bottom) / 2};
 }
 
-Moments with_sign(double sign, const Moments& m) { return {sign * m.area, sign * m.x, sign * m.y}; }
+Moments with_sign(double sign, const Moments& m) {
+    return {sign * m.area, sign * m.x, sign * m.y};
+}
 
 }  // namespace
 

@@ -59,8 +59,8 @@ std::vector<FaceFacts> face_facts(const ProjectedFaces& faces, const Geometry& g
     KEIKAN_CHECK(geometry.objects.size() <= 0xFFFF, "more than 65535 objects");
     std::vector<FaceFacts> facts(faces.size());
     parallel_ranges(faces.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        const auto after = std::upper_bound(geometry.first_face.begin(), geometry.first_face.end(),
-                                            faces.id[begin]);
+        const auto after =
+            std::upper_bound(geometry.first_face.begin(), geometry.first_face.end(), faces.id[begin]);
         auto object = static_cast<std::size_t>(after - geometry.first_face.begin()) - 1;
         for (std::size_t f = begin; f < end; ++f) {
             while (faces.id[f] >= geometry.first_face[object + 1]) ++object;
@@ -94,7 +94,8 @@ FaceNeighbours face_neighbours(const ProjectedFaces& faces, const std::vector<Fa
         }
     };
     std::vector<std::uint32_t> bucket(first_corner.back() + 1u, 0);
-    for_each_edge([&](std::uint32_t, std::uint32_t, std::uint32_t near, std::uint32_t) { ++bucket[near + 1]; });
+    for_each_edge(
+        [&](std::uint32_t, std::uint32_t, std::uint32_t near, std::uint32_t) { ++bucket[near + 1]; });
     for (std::size_t b = 1; b < bucket.size(); ++b) bucket[b] += bucket[b - 1];
     std::vector<Edge> edges(bucket.back());
     for_each_edge([&](std::uint32_t f, std::uint32_t k, std::uint32_t near, std::uint32_t far) {

@@ -10,10 +10,10 @@ std::vector<std::uint32_t> faces_at(const ProjectedFaces& faces, PixelIndex pixe
     std::vector<std::uint32_t> met;
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const auto outline = faces[i].outline;
-        const auto [left, right] = std::minmax_element(outline.begin(), outline.end(),
-                                                       [](Point p, Point q) { return p.x < q.x; });
-        const auto [top, bottom] = std::minmax_element(outline.begin(), outline.end(),
-                                                       [](Point p, Point q) { return p.y < q.y; });
+        const auto [left, right] =
+            std::minmax_element(outline.begin(), outline.end(), [](Point p, Point q) { return p.x < q.x; });
+        const auto [top, bottom] =
+            std::minmax_element(outline.begin(), outline.end(), [](Point p, Point q) { return p.y < q.y; });
         if (left->x <= pixel.x + 1.0 && right->x >= pixel.x && top->y <= pixel.y + 1.0 &&
             bottom->y >= pixel.y)
             met.push_back(static_cast<std::uint32_t>(i));

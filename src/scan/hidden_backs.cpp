@@ -42,15 +42,17 @@ bool stands_above(const Mesh& terrain, const Camera& camera) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    if (!(low.x <= square.low.x && low.y <= square.low.y && high.x >= square.high.x && high.y >= square.high.y))
+    if (!(low.x <= square.low.x && low.y <= square.low.y && high.x >= square.high.x &&
+          high.y >= square.high.y))
         return false;
     for (std::size_t f = 0; f < terrain.face_count(); ++f) {
         const auto corners = terrain.face(f);
         if (corners.size() != 3) return false;
         const glm::dvec3 &a = terrain.positions[corners[0]], &b = terrain.positions[corners[1]],
                          &c = terrain.positions[corners[2]];
-        const bool apart = std::max({a.x, b.x, c.x}) < square.low.x || std::min({a.x, b.x, c.x}) > square.high.x ||
-                           std::max({a.y, b.y, c.y}) < square.low.y || std::min({a.y, b.y, c.y}) > square.high.y;
+        const bool apart =
+            std::max({a.x, b.x, c.x}) < square.low.x || std::min({a.x, b.x, c.x}) > square.high.x ||
+            std::max({a.y, b.y, c.y}) < square.low.y || std::min({a.y, b.y, c.y}) > square.high.y;
         if (!apart && greatest_height(a, b, c, square) >= camera.position.z - reach) return false;
     }
     return true;

@@ -24,7 +24,9 @@ bool meets_pixel(Point p, Point q, PixelIndex pixel) {
 }
 
 /// A centroid's coordinate, which rounding may have left just outside.
-float within_pixel(double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); }
+float within_pixel(double v) {
+    return static_cast<float>(std::clamp(v, 0.0, 1.0));
+}
 
 }  // namespace
 
@@ -75,8 +77,8 @@ DividedView PixelDivision::by_visible_areas(PixelIndex pixel) {
     const PixelCoverage coverage = visible_areas_(pixel, asked_, Nearness::ByDepth);
     parts_.clear();
     for (const VisiblePart& part : coverage.parts)
-        parts_.push_back({asked_face_[part.face], within_pixel(part.centroid.x), within_pixel(part.centroid.y),
-                          part.area});
+        parts_.push_back({asked_face_[part.face], within_pixel(part.centroid.x),
+                          within_pixel(part.centroid.y), part.area});
     return {Division::ExactAreas, parts_, coverage.background};
 }
 

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "camera_space.hpp"
+#include "hidden_backs.hpp"
 #include "keikan/clip/orient2d.hpp"
 #include "keikan/support/check.hpp"
 #include "keikan/support/parallel.hpp"
-#include "camera_space.hpp"
-#include "hidden_backs.hpp"
 
 namespace keikan {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 /// A corner of a mesh as the camera sees it, made once for all faces that share it.
 struct SeenCorner {
     CameraPoint camera;
-    Point image;                ///< only where `behind` is not set
-    std::uint8_t outside = 0;   ///< which borders of the view it lies beyond
+    Point image;               ///< only where `behind` is not set
+    std::uint8_t outside = 0;  ///< which borders of the view it lies beyond
     static constexpr std::uint8_t kLeft = 1, kRight = 2, kAbove = 4, kBelow = 8, kBehind = 16;
 };
 
@@ -46,8 +46,7 @@ Point near_crossing(const Camera& camera, const std::vector<SeenCorner>& corners
     const CameraPoint& from = corners[i].camera;
     const CameraPoint& to = corners[j].camera;
     const double t = (camera.near_m - from.depth) / (to.depth - from.depth);
-    return image_point(camera,
-                       {from.u + t * (to.u - from.u), from.v + t * (to.v - from.v), camera.near_m});
+    return image_point(camera, {from.u + t * (to.u - from.u), from.v + t * (to.v - from.v), camera.near_m});
 }
 
 /// Sign of the outline's area, exact: +1 where it turns from +x towards +y. 0 where it has none, and where
@@ -79,7 +78,9 @@ struct Projected {
 class ObjectProjection {
   public:
     ObjectProjection(const Object& object, const Camera& camera)
-        : mesh_(object.mesh), camera_(camera), backs_are_hidden_(backs_are_hidden(object, camera)),
+        : mesh_(object.mesh),
+          camera_(camera),
+          backs_are_hidden_(backs_are_hidden(object, camera)),
           corners_(mesh_.positions.size()) {
         parallel_ranges(corners_.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) corners_[i] = seen_corner(camera_, mesh_.positions[i]);
@@ -148,7 +149,8 @@ class ObjectProjection {
         }
         DepthPlane plane;
         if (camera_.kind == Camera::Kind::Perspective) {
-            // On the plane n.P = n.mean; along the ray P = depth (x', y', 1), so 1/depth = n.(x', y', 1) / n.mean.
+            // On the plane n.P = n.mean; along the ray P = depth (x', y', 1), so 1/depth = n.(x', y', 1) /
+            // n.mean.
             const double distance = dot(normal, mean);
             plane.a = normal.u / (camera_.focal_px * distance);
             plane.b = normal.v / (camera_.focal_px * distance);

@@ -28,7 +28,9 @@ RandomAccessFile::RandomAccessFile(std::filesystem::path file) : file_(std::move
     }
 }
 
-RandomAccessFile::~RandomAccessFile() { ::close(descriptor_); }
+RandomAccessFile::~RandomAccessFile() {
+    ::close(descriptor_);
+}
 
 void RandomAccessFile::read_to_the_end() {
     in_memory_ = true;

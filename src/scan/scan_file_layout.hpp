@@ -93,14 +93,17 @@ static_assert(sizeof(BandHead) == 24 && std::has_unique_object_representations_v
 static_assert(sizeof(FaceRecord) == 96 && sizeof(SpanRecord) == 12 && sizeof(DividedRecord) == 16 &&
               sizeof(CentroidRecord) == 8);
 
-inline constexpr std::uint64_t padded(std::uint64_t bytes) { return (bytes + 7) / 8 * 8; }
+inline constexpr std::uint64_t padded(std::uint64_t bytes) {
+    return (bytes + 7) / 8 * 8;
+}
 
 /// Length of a band in the file. The counts are 32 bits, so nothing overflows.
 inline constexpr std::uint64_t band_bytes(const BandHead& head) {
     const std::uint64_t rows = static_cast<std::uint64_t>(static_cast<std::uint32_t>(head.rows)) + 1;
     return sizeof(BandHead) + 2 * padded(rows * sizeof(std::uint32_t)) + head.faces * sizeof(FaceRecord) +
            padded(head.spans * sizeof(SpanRecord)) + head.divided * sizeof(DividedRecord) +
-           head.parts * (sizeof(double) + sizeof(CentroidRecord)) + padded(head.parts * sizeof(std::uint32_t));
+           head.parts * (sizeof(double) + sizeof(CentroidRecord)) +
+           padded(head.parts * sizeof(std::uint32_t));
 }
 
 }  // namespace keikan::scan_file

@@ -38,8 +38,9 @@ Head read_head(const RandomAccessFile& file) {
     const Head head = read_value<Head>(file, 0);
     if (head.magic != kMagic) fail(file, "offset 0", "is no scan file");
     if (head.version != kVersion)
-        fail(file, "offset 8", "is a scan file of version " + std::to_string(head.version) +
-                                   "; this program reads version " + std::to_string(kVersion));
+        fail(file, "offset 8",
+             "is a scan file of version " + std::to_string(head.version) + "; this program reads version " +
+                 std::to_string(kVersion));
     if (head.checksum != checksum(bytes_of(head).first(offsetof(Head, checksum))))
         fail(file, "offset 0", "the header is damaged");
     if (head.width < 1 || head.width > kLongestSide || head.height < 1 || head.height > kLongestSide)
@@ -175,15 +176,19 @@ ScanFileReader::ScanFileReader(std::filesystem::path file)
     const Head head = read_head(mapping_->file);
     const Tail tail = read_tail(mapping_->file);
     mapping_->table = read_table(mapping_->file, head, tail);
-    mapping_->header = {{head.width, head.height}, static_cast<Extraction>(head.extraction),
-                        head.geometry_hash};
+    mapping_->header = {
+        {head.width, head.height}, static_cast<Extraction>(head.extraction), head.geometry_hash};
 }
 
 ScanFileReader::~ScanFileReader() = default;
 
-const ScanHeader& ScanFileReader::header() const { return mapping_->header; }
+const ScanHeader& ScanFileReader::header() const {
+    return mapping_->header;
+}
 
-std::size_t ScanFileReader::band_count() const { return mapping_->table.size(); }
+std::size_t ScanFileReader::band_count() const {
+    return mapping_->table.size();
+}
 
 ScanBand ScanFileReader::band(std::size_t i) const {
     KEIKAN_CHECK(i < mapping_->table.size(), "band " << i << " of " << mapping_->table.size());

@@ -49,8 +49,13 @@ std::span<const std::byte> bytes_of(const Value& value) {
 }
 
 FaceRecord record_of(const SeenFace& face) {
-    FaceRecord record{face.id, face.object, face.material, {face.plane.a, face.plane.b, face.plane.c},
-                      {face.normal_at.x, face.normal_at.y}, {}, face.flat_normal};
+    FaceRecord record{face.id,
+                      face.object,
+                      face.material,
+                      {face.plane.a, face.plane.b, face.plane.c},
+                      {face.normal_at.x, face.normal_at.y},
+                      {},
+                      face.flat_normal};
     for (std::size_t i = 0; i < 9; ++i) record.normal[i] = face.normal[i / 3][i % 3];
     return record;
 }
@@ -65,21 +70,23 @@ void append_band(const ScanBand& band, Bytes& bytes) {
     bytes.append(std::span(&head, 1));
     bytes.append<std::uint32_t>(band.span_begin);
     bytes.append<std::uint32_t>(band.divided_begin);
-    bytes.append_records<FaceRecord>(band.faces.size(), [&](std::size_t i) { return record_of(band.faces[i]); });
+    bytes.append_records<FaceRecord>(band.faces.size(),
+                                     [&](std::size_t i) { return record_of(band.faces[i]); });
     bytes.append_records<SpanRecord>(band.spans.size(), [&](std::size_t i) {
         return SpanRecord{band.spans[i].x_begin, band.spans[i].x_end, band.spans[i].face};
     });
     bytes.append_records<DividedRecord>(band.divided.size(), [&](std::size_t i) {
         const DividedPixel& pixel = band.divided[i];
-        return DividedRecord{pixel.background, pixel.part_end,
-                             2 * static_cast<std::uint32_t>(pixel.x) +
-                                 static_cast<std::uint32_t>(pixel.division)};
+        return DividedRecord{
+            pixel.background, pixel.part_end,
+            2 * static_cast<std::uint32_t>(pixel.x) + static_cast<std::uint32_t>(pixel.division)};
     });
     const std::size_t parts = band.parts.size();
     bytes.append_records<double>(parts, [&](std::size_t i) { return band.parts[i].weight; });
     bytes.append_records<std::uint32_t>(parts, [&](std::size_t i) { return band.parts[i].face; });
-    bytes.append_records<CentroidRecord>(
-        parts, [&](std::size_t i) { return CentroidRecord{band.parts[i].x, band.parts[i].y}; });
+    bytes.append_records<CentroidRecord>(parts, [&](std::size_t i) {
+        return CentroidRecord{band.parts[i].x, band.parts[i].y};
+    });
     KEIKAN_CHECK(bytes.all().size() == band_bytes(head), "a band of " << bytes.all().size() << " bytes");
 }
 

@@ -24,7 +24,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 class BandScan {
   public:
     BandScan(const ScanQuestion& question, const TileBins& bins, const Camera& camera)
-        : question_(question), bins_(bins), camera_(camera), division_(question),
+        : question_(question),
+          bins_(bins),
+          camera_(camera),
+          division_(question),
           builder_(question.faces.size()) {}
 
     void make(int tile_row) {
@@ -35,8 +38,8 @@ class BandScan {
         for (int column = 0; column < bins_.columns; ++column) scan_tile(column, tile_row, rows);
         band_.faces.clear();
         for (const std::uint32_t f : builder_.seen())
-            band_.faces.push_back(seen_face(question_.faces, f, question_.geometry,
-                                            question_.facts[f].object, camera_));
+            band_.faces.push_back(
+                seen_face(question_.faces, f, question_.geometry, question_.facts[f].object, camera_));
         builder_.finish(band_);
     }
 
@@ -60,8 +63,7 @@ class BandScan {
     }
 
     void scan_pixel(PixelIndex pixel, int row, std::span<const Candidate> candidates) {
-        if (candidates.empty())
-            return builder_.add_span(row, pixel.x, pixel.x + 1, BandBuilder::kBackground);
+        if (candidates.empty()) return builder_.add_span(row, pixel.x, pixel.x + 1, BandBuilder::kBackground);
         if (candidates.size() == 1 && candidates[0].covers)
             return builder_.add_span(row, pixel.x, pixel.x + 1, candidates[0].face);
         const DividedView divided = division_(pixel, candidates);

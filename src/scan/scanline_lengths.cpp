@@ -108,7 +108,8 @@ std::span<const SeenPart> ScanlineLengths::operator()(PixelIndex pixel, std::spa
             length += seen_[i].end - seen_[i].begin;
             moment += (seen_[i].end - seen_[i].begin) * (seen_[i].begin + seen_[i].end) / 2;
         }
-        parts_.push_back({face, static_cast<float>(std::clamp(moment / length, 0.0, 1.0)), 0.5f, std::min(length, 1.0)});
+        parts_.push_back(
+            {face, static_cast<float>(std::clamp(moment / length, 0.0, 1.0)), 0.5f, std::min(length, 1.0)});
     }
     return parts_;
 }

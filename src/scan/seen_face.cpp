@@ -47,7 +47,9 @@ std::optional<ScreenAffine> smooth_normal(const Mesh& mesh, std::span<const std:
     return ScreenAffine{field[2], field[0] / camera.focal_px, field[1] / camera.focal_px};
 }
 
-bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 std::array<float, 3> floats(const glm::dvec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

@@ -15,9 +15,9 @@ struct Candidate {
     double w_min = 0;  ///< what the face shows of itself in the pixel, if anything, is no farther ...
     double w_max = 0;  ///< ... and no nearer
     std::uint32_t face = 0;
-    std::uint16_t pixel = 0;     ///< row * kTileSize + column, in the tile
-    std::uint8_t inside = 0;     ///< bit e: the pixel lies wholly on the inner side of edge e, for certain
-    bool covers = false;         ///< the face covers the pixel wholly, for certain
+    std::uint16_t pixel = 0;  ///< row * kTileSize + column, in the tile
+    std::uint8_t inside = 0;  ///< bit e: the pixel lies wholly on the inner side of edge e, for certain
+    bool covers = false;      ///< the face covers the pixel wholly, for certain
 };
 
 /// The faces that may be seen in each pixel of one tile.

@@ -101,7 +101,8 @@ TEST_CASE("paper extraction: lengths along the scanline are those of a slow refe
     }
 }
 
-TEST_CASE("paper extraction: pixels on a near-horizontal edge get exact areas, others lengths", "[scan][paper]") {
+TEST_CASE("paper extraction: pixels on a near-horizontal edge get exact areas, others lengths",
+          "[scan][paper]") {
     const Camera view = camera({20, 20});
     Mesh mesh;
     add_rectangle(mesh, view, 3.3, 3.3, 15.6, 9.7, 10);
@@ -134,7 +135,8 @@ TEST_CASE("paper extraction: every outline of a conductor is flagged, however st
     CHECK(as(ObjectKind::Tower).division == Division::Scanline);
 }
 
-TEST_CASE("paper extraction: a thin wire between two scanlines is seen only where it is flagged", "[scan][paper]") {
+TEST_CASE("paper extraction: a thin wire between two scanlines is seen only where it is flagged",
+          "[scan][paper]") {
     const Camera view = camera({20, 4});
     Mesh mesh;
     add_rectangle(mesh, view, -1, 1.1, 21, 1.2, 10);

@@ -17,11 +17,14 @@ namespace {
 /// Roundings on a projected coordinate's way, in units in the last place of numbers up to 64 pixels.
 constexpr double kPixelRounding = 8 * 64 * 0x1p-52;
 
-double nearness(const DepthPlane& plane, Point p) { return plane.a * p.x + plane.b * p.y + plane.c; }
+double nearness(const DepthPlane& plane, Point p) {
+    return plane.a * p.x + plane.b * p.y + plane.c;
+}
 
 }  // namespace
 
-TEST_CASE("project_faces: a face keeps its corners' order, and its plane gives 1/depth there", "[scan][project]") {
+TEST_CASE("project_faces: a face keeps its corners' order, and its plane gives 1/depth there",
+          "[scan][project]") {
     const Camera view = camera({20, 20});
     Mesh mesh;
     const std::vector<Corner> corners{{2, 3, 10}, {15, 4, 20}, {7, 18, 14}};
@@ -48,7 +51,8 @@ TEST_CASE("project_faces: an orthographic camera's nearness is minus the depth",
         CHECK(nearness(faces.plane[0], faces[0].outline[i]) == Approx(-corners[i].depth).epsilon(1e-12));
 }
 
-TEST_CASE("project_faces: a face far from the world's origin has the same plane as near it", "[scan][project]") {
+TEST_CASE("project_faces: a face far from the world's origin has the same plane as near it",
+          "[scan][project]") {
     Camera view = camera({20, 20});
     Mesh near, far;
     const std::vector<Corner> corners{{2, 3, 10}, {15, 4, 20}, {7, 18, 14}};
@@ -86,7 +90,8 @@ TEST_CASE("project_faces: what crosses the near plane is cut there, alike on bot
     CHECK(faces[1].outline.size() == 4);
     const auto first = points(0), second = points(1);
     std::vector<std::pair<double, double>> common;
-    std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(common));
+    std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
+                          std::back_inserter(common));
     CHECK(common.size() == 2);  // the corner ahead, and the point where the edge meets the near plane
     for (std::size_t f = 0; f < 2; ++f) {
         int at_near = 0;
@@ -99,25 +104,29 @@ TEST_CASE("project_faces: what crosses the near plane is cut there, alike on bot
 TEST_CASE("project_faces: what cannot be seen is left out", "[scan][project]") {
     const Camera view = camera({20, 20});
     Mesh mesh;
-    add_rectangle(mesh, view, 2, 2, 4, 4, 10);        // 0: seen
-    add_rectangle(mesh, view, -9, 2, -1, 4, 10);      // beside the image
-    add_rectangle(mesh, view, 2, 21, 4, 24, 10);      // below it
-    add_rectangle(mesh, view, 2, 2, 4, 4, 0.05);      // before the near plane
-    add_rectangle(mesh, view, -2, -2, -4, -4, -10);   // behind the camera
+    add_rectangle(mesh, view, 2, 2, 4, 4, 10);                   // 0: seen
+    add_rectangle(mesh, view, -9, 2, -1, 4, 10);                 // beside the image
+    add_rectangle(mesh, view, 2, 21, 4, 24, 10);                 // below it
+    add_rectangle(mesh, view, 2, 2, 4, 4, 0.05);                 // before the near plane
+    add_rectangle(mesh, view, -2, -2, -4, -4, -10);              // behind the camera
     add_face(mesh, view, {{2, 2, 10}, {4, 4, 20}, {6, 6, 30}});  // seen edge-on
-    add_rectangle(mesh, view, -90, -90, 90, 90, 40);  // 6: all around the image
+    add_rectangle(mesh, view, -90, -90, 90, 90, 40);             // 6: all around the image
     const ProjectedFaces faces = project_faces(geometry(mesh), view);
     CHECK(faces.id == std::vector<FaceId>{0, 6});
 }
 
-TEST_CASE("project_faces: of a closed solid only the faces that look at the camera are kept", "[scan][project]") {
+TEST_CASE("project_faces: of a closed solid only the faces that look at the camera are kept",
+          "[scan][project]") {
     const Camera view = camera({40, 40});
     Mesh box;
-    for (int i = 0; i < 8; ++i)
-        box.add_position({1 + (i & 1), 10 + (i >> 1 & 1), -3 + (i >> 2)});
+    for (int i = 0; i < 8; ++i) box.add_position({1 + (i & 1), 10 + (i >> 1 & 1), -3 + (i >> 2)});
     // Counter-clockwise seen from outside.
-    for (const auto& face : {std::vector<std::uint32_t>{0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5},
-                             {0, 2, 3, 1}, {4, 5, 7, 6}})
+    for (const auto& face : {std::vector<std::uint32_t>{0, 1, 5, 4},
+                             {2, 6, 7, 3},
+                             {0, 4, 6, 2},
+                             {1, 3, 7, 5},
+                             {0, 2, 3, 1},
+                             {4, 5, 7, 6}})
         box.add_face(face, 0);
     CHECK(project_faces(geometry(box), view).size() == 6);
     box.closed = true;

@@ -223,14 +223,16 @@ TEST_CASE("scan file: damage under right checksums is refused, or is a band fit 
     CHECK(refused > kTrials / 4);
 }
 
-TEST_CASE("scan file: counts that ask for more than the file holds ask for no memory", "[scan_file][hostile]") {
+TEST_CASE("scan file: counts that ask for more than the file holds ask for no memory",
+          "[scan_file][hostile]") {
     const TemporaryFolder folder;
     const std::string bytes = bytes_of_file(write(small_picture(), folder.path / "a.scan"));
     const auto file = folder.path / "forged.scan";
     for (const std::size_t count :
          {offsetof(BandHead, faces), offsetof(BandHead, spans), offsetof(BandHead, divided),
           offsetof(BandHead, parts), offsetof(BandHead, rows), offsetof(BandHead, first_row)}) {
-        write_bytes(file, forged(bytes, [&](std::string& band) { band.replace(count, 4, "\xFF\xFF\xFF\xFF"); }));
+        write_bytes(file,
+                    forged(bytes, [&](std::string& band) { band.replace(count, 4, "\xFF\xFF\xFF\xFF"); }));
         CHECK_THROWS_AS(contents_of(file), InputError);
     }
     std::string many_bands = bytes;

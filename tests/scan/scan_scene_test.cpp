@@ -73,7 +73,8 @@ TEST_CASE("scan: a strip a sixteenth of a pixel thick covers a sixteenth of ever
     for (int x = 0; x < 40; ++x) {
         const Shown& pixel = all[at_pixel(view, x, 1)];
         REQUIRE(pixel.weights.size() == 1);
-        CHECK(std::abs(pixel.weights[0].second - 1.0 / 16) <= 16 * kVisibleAreaError);  // projected corners round
+        CHECK(std::abs(pixel.weights[0].second - 1.0 / 16) <=
+              16 * kVisibleAreaError);  // projected corners round
         CHECK_FALSE(all[at_pixel(view, x, 0)].divided);
         CHECK(all[at_pixel(view, x, 0)].background == 1);
     }
@@ -101,7 +102,8 @@ TEST_CASE("scan: two faces through each other divide the pixel along the line wh
         const auto all = shown(scanned(geometry(mesh), view), view.size);
         const Shown& pixel = all[at_pixel(view, 1, 1)];
         REQUIRE(pixel.weights.size() == 2);
-        CHECK(std::abs(pixel.weights[0].second - 0.75) <= 100 * kVisibleAreaError);  // projected corners round
+        CHECK(std::abs(pixel.weights[0].second - 0.75) <=
+              100 * kVisibleAreaError);  // projected corners round
         CHECK(std::abs(pixel.weights[1].second - 0.25) <= 100 * kVisibleAreaError);
         CHECK(pixel.background == 0);
         check_against_visible_areas(geometry(mesh), view, kTwoBounds);

@@ -63,8 +63,8 @@ inline Geometry geometry(Mesh mesh, ObjectKind kind = ObjectKind::Model) {
 /// A rectangle [left, right] x [top, bottom] of the image, facing the camera.
 inline void add_rectangle(Mesh& mesh, const Camera& camera, double left, double top, double right,
                           double bottom, double depth) {
-    add_face(mesh, camera, {{left, top, depth}, {right, top, depth}, {right, bottom, depth},
-                            {left, bottom, depth}});
+    add_face(mesh, camera,
+             {{left, top, depth}, {right, top, depth}, {right, bottom, depth}, {left, bottom, depth}});
 }
 
 /// A bumpy sheet of `cells` x `cells` x 2 triangles over [x, x + side]^2 of the image: corners are shared, so

@@ -13,8 +13,8 @@ namespace keikan {
 
 /// All faces as the camera sees them: *the question* of every pixel, asked of product and oracle alike.
 /// Left out: faces wholly behind the near plane or outside the image, back faces of closed solids and of a
-/// terrain above which the camera stands (they cannot be seen), and faces seen edge-on (no area in the image).
-/// Faces that cross the near plane are cut there.
+/// terrain above which the camera stands (they cannot be seen), and faces seen edge-on (no area in the
+/// image). Faces that cross the near plane are cut there.
 struct ProjectedFaces {
     std::vector<Point> points;
     std::vector<std::uint32_t> begin{0};  ///< faces + 1 values, into `points`

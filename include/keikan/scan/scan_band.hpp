@@ -53,7 +53,7 @@ struct SeenPart {
     std::uint32_t face = 0;  ///< into ScanBand::faces
     float x = 0;             ///< centroid of the visible region, pixel-local
     float y = 0;
-    double weight = 0;       ///< fraction of the pixel
+    double weight = 0;  ///< fraction of the pixel
     friend bool operator==(const SeenPart&, const SeenPart&) = default;
 };
 
@@ -62,10 +62,10 @@ struct ScanBand {
     int first_row = 0;
     int rows = 0;
     std::vector<SeenFace> faces;
-    std::vector<Span> spans;                     ///< row by row, by rising x
-    std::vector<std::uint32_t> span_begin;       ///< rows + 1 values, into `spans`
-    std::vector<DividedPixel> divided;           ///< row by row, by rising x
-    std::vector<std::uint32_t> divided_begin;    ///< rows + 1 values, into `divided`
+    std::vector<Span> spans;                   ///< row by row, by rising x
+    std::vector<std::uint32_t> span_begin;     ///< rows + 1 values, into `spans`
+    std::vector<DividedPixel> divided;         ///< row by row, by rising x
+    std::vector<std::uint32_t> divided_begin;  ///< rows + 1 values, into `divided`
     std::vector<SeenPart> parts;
     friend bool operator==(const ScanBand&, const ScanBand&) = default;
 };

@@ -24,7 +24,8 @@ struct ScanStatistics {
     std::uint64_t faces = 0;            ///< that the camera can see
     std::uint64_t divided_pixels = 0;   ///< by exact areas
     std::uint64_t scanline_pixels = 0;  ///< by lengths along the scanline
-    std::uint64_t multi_object_pixels = 0;  ///< divided pixels that show more than one object, or background too
+    std::uint64_t multi_object_pixels =
+        0;  ///< divided pixels that show more than one object, or background too
     std::uint64_t parts = 0;
     double seconds_project = 0, seconds_bin = 0, seconds_divide = 0;
 };
