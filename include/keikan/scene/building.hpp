@@ -46,15 +46,15 @@ struct BuildingMaterials {
 /// Builds a house as one closed mesh: walls divided around the windows, panes and reveals behind them, the
 /// roof triangulated.
 ///
-/// Walls are divided by full-height lines at the windows' sides and by their sills and heads only between
-/// those, so faces tile the wall; corners of one face can lie on a neighbour's edge (a T-junction, exact in
-/// the wall's own coordinates). An aligned window grid avoids them where it costs nothing.
+/// Every wall is divided at the same heights (sills and heads) and along the sides of its windows, and roof
+/// and floor take over the walls' vertices: no corner of a face lies inside another face's edge.
 ///
 /// Properties:
 ///   (1) Closed: every edge belongs to two faces that run along it in opposite directions.
 ///   (2) Every face is convex and planar within kPlanarity.
 ///   (3) Without windows and foundation the volume is the footprint's area times the height (plus the
-///   roof's). (4) The footprint's orientation and first corner do not change what is seen.
+///   roof's).
+///   (4) The footprint's orientation and first corner do not change what is seen.
 ///
 /// Errors: InputError (reason only) for a footprint with fewer than three corners, without area, with two
 /// equal
