@@ -26,10 +26,9 @@ std::int16_t step_above(double v) {
 
 }  // namespace
 
-void Partition::begin(PixelIndex pixel, const Entrants& entrants, Nearness nearness) {
+void Partition::begin(PixelIndex pixel, const Entrants& entrants) {
     pixel_ = pixel;
     entrants_ = &entrants;
-    nearness_ = nearness;
     size_ = used_ = free_cells_ = 0;
     const std::size_t n = entrants.faces.size();
     if (relation_.size() < n) relation_.resize(n), difference_.resize(n);
@@ -40,8 +39,9 @@ void Partition::begin(PixelIndex pixel, const Entrants& entrants, Nearness nearn
     append_cell({0, 4}, kFree);
 }
 
-void Partition::insert(std::uint32_t who) {
+void Partition::insert(std::uint32_t who, Nearness nearness) {
     who_ = who;
+    nearness_ = nearness;
     const Entrant& face = entrants_->faces[who];
     cuts_of(face);
     find_cells_near(face.box);
@@ -52,6 +52,7 @@ void Partition::insert(std::uint32_t who) {
             carve(cell);
             continue;
         }
+        if (nearness == Nearness::InOrder) continue;
         const Entrant& owner = entrants_->faces[label];
         if (owner.w_min - owner.w_error > face.w_max + face.w_error) {
             settle(cell);
@@ -61,9 +62,9 @@ void Partition::insert(std::uint32_t who) {
     }
 }
 
-bool Partition::hides_all_below(double w) const {
+bool Partition::hides_all_below(double w, Nearness nearness) const {
     if (free_cells_ != 0) return false;
-    if (nearness_ == Nearness::InOrder) return true;
+    if (nearness == Nearness::InOrder) return true;
     for (std::size_t i = 0; i < cells_of_.size(); ++i) {
         const Entrant& owner = entrants_->faces[i];
         if (cells_of_[i] != 0 && owner.w_min - owner.w_error <= w) return false;

@@ -5,32 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "keikan/model/face.hpp"
+#include "entrants.hpp"
 #include "nearer_part.hpp"
 #include "split.hpp"
 
 namespace keikan::clip {
-
-/// A face that has area in the pixel.
-struct Entrant {
-    std::uint32_t position = 0;  ///< in the list of faces asked about
-    FaceId id = 0;
-    std::uint32_t ring = 0;  ///< where its corners start among `corners` of Entrants
-    std::uint32_t size = 0;  ///< how many there are
-    Box box;
-    LocalPlane plane;             ///< of Nearness::ByDepth only, as is what follows
-    double w_min = 0, w_max = 0;  ///< at the corners of the ring
-    double w_error = 0;           ///< of either
-};
-
-/// The faces of one pixel, clipped to it, with their corners in one pool.
-struct Entrants {
-    std::vector<Entrant> faces;
-    std::vector<Point> corners;
-
-    void clear() { faces.clear(), corners.clear(); }
-    std::span<const Point> ring(const Entrant& e) const { return {corners.data() + e.ring, e.size}; }
-};
 
 /// The pixel as convex cells without overlap, each labelled with the face that is nearest there among those
 /// inserted so far, or free. Inserting a face cuts it out of the free cells, and out of the cells of those
@@ -41,13 +20,14 @@ class Partition {
     static constexpr std::uint32_t kFree = 0xFFFFFFFFu;
 
     /// One free cell: the pixel.
-    void begin(PixelIndex pixel, const Entrants& entrants, Nearness nearness);
+    void begin(PixelIndex pixel, const Entrants& entrants);
 
-    /// Inserts the face entrants.faces[who]. With Nearness::ByDepth the faces come by falling w_max.
-    void insert(std::uint32_t who);
+    /// Inserts the face entrants.faces[who]. Nearness::ByDepth: the faces come by falling w_max.
+    /// Nearness::InOrder: what an earlier face has it keeps.
+    void insert(std::uint32_t who, Nearness nearness);
 
     /// Nothing is free, and no face with w up to `w` can be seen any more.
-    bool hides_all_below(double w) const;
+    bool hides_all_below(double w, Nearness nearness) const;
 
     std::size_t size() const { return size_; }
     std::uint32_t label(std::size_t cell) const { return label_[cell]; }
@@ -88,7 +68,6 @@ class Partition {
 
     PixelIndex pixel_;
     const Entrants* entrants_ = nullptr;
-    Nearness nearness_ = Nearness::InOrder;
 
     // The cells: parallel arrays. Boxes are in steps of 1 / kBoxSteps, rounded outwards.
     std::size_t size_ = 0;
@@ -102,6 +81,7 @@ class Partition {
 
     // The face being inserted.
     std::uint32_t who_ = 0;
+    Nearness nearness_ = Nearness::InOrder;
     std::vector<EdgeCut> cuts_;                   ///< its edges inside the pixel
     std::vector<std::uint32_t> reaching_;         ///< those that cut the cell at hand
     std::vector<std::int16_t> hit_;               ///< for each cell, whether its box meets the face's
