@@ -46,8 +46,9 @@ struct BuildingMaterials {
 /// Builds a house as one closed mesh: walls divided around the windows, panes and reveals behind them, the
 /// roof triangulated.
 ///
-/// Every wall is divided at the same heights (sills and heads) and along the sides of its windows, and roof
-/// and floor take over the walls' vertices: no corner of a face lies inside another face's edge.
+/// Walls are divided at the sides, sills and heads of their windows, on one grid for the wall and at the same
+/// heights all around, so that faces meet only in whole edges. A wall has as many windows as bays of
+/// spacing_m fit into it, each in the middle of its bay.
 ///
 /// Properties:
 ///   (1) Closed: every edge belongs to two faces that run along it in opposite directions.

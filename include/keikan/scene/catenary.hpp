@@ -63,7 +63,7 @@ std::vector<double> catenary_stations(const Catenary& wire, double chord_error_m
 
 /// The same where the error that may be made changes along the wire, as it does with the distance of the
 /// camera: segments are halved until each has chord_error_m(from, to) <= allowed_error_m(from, to).
-/// Requires: the allowed error is positive; at most 2^12 segments come out, whatever it is.
+/// At most 2^12 segments come out, whatever is allowed.
 std::vector<double> catenary_stations(
     const Catenary& wire, const std::function<double(double from_s, double to_s)>& allowed_error_m);
 
