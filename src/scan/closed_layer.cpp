@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "edge_moments.hpp"
+#include "part_with.hpp"
 
 namespace keikan {
 namespace {
-
-/// A smaller share is left out: rounding leaves as much of a face that only touches the pixel. What is lost
-/// is a fifth of kVisibleAreaError.
-constexpr double kLeastShare = 4 * 0x1p-53;
 
 /// Position of `face` among the candidates, which rise by face; their number where it is none of them.
 std::size_t position_of(std::uint32_t face, std::span<const Candidate> candidates) {
@@ -27,12 +24,6 @@ std::size_t position_of(std::uint32_t face, std::span<const Candidate> candidate
     return static_cast<std::size_t>(at - candidates.begin());
 }
 
-/// Whether the edge's bounding box, and with it the edge, misses the pixel's interior; exact.
-bool box_misses(Point p, Point q, PixelIndex pixel) {
-    return std::max(p.x, q.x) <= pixel.x || std::min(p.x, q.x) >= pixel.x + 1 ||
-           std::max(p.y, q.y) <= pixel.y || std::min(p.y, q.y) >= pixel.y + 1;
-}
-
 /// Whether w of `front` is larger than w of `back` all over the box, for certain. Their difference is affine,
 /// so its least value is at a corner.
 bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double left, double top, double right,
@@ -46,14 +37,6 @@ bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double lef
             if (!(difference > 2 * (plane_error(front, x, y) + plane_error(back, x, y)))) return false;
         }
     return true;
-}
-
-/// What an edge that does not meet the pixel's interior contributes to its face's moments (edge_moments):
-/// within the pixel's rows it lies on the left of the pixel, which is nothing, or on the right of it.
-Moments beside_pixel(Point p, Point q, PixelIndex pixel, bool on_the_right) {
-    if (!on_the_right) return {};
-    const double from = std::clamp(p.y - pixel.y, 0.0, 1.0), to = std::clamp(q.y - pixel.y, 0.0, 1.0);
-    return {to - from, (to - from) / 2, (to - from) * (from + to) / 2};
 }
 
 }  // namespace
@@ -87,13 +70,11 @@ bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const std:
             const Point& q = corner[e + 1 < edges ? e + 1 : 0];
             if (mine.given >> e & 1) continue;
             if (member.inside >> e & 1) {
-                // The inner side of an edge that runs with rising y is the one of smaller x if the turn is
-                // from +x towards +y.
-                mine.moments += beside_pixel(p, q, pixel, turn > 0 ? q.y > p.y : q.y < p.y);
+                mine.moments += edge_moments_beside(p, q, pixel, is_right_of_what_is_inside(p, q, turn));
                 continue;
             }
-            if (box_misses(p, q, pixel)) {
-                mine.moments += beside_pixel(p, q, pixel, std::min(p.x, q.x) >= pixel.x + 1);
+            if (box_misses_pixel(p, q, pixel)) {
+                mine.moments += edge_moments_beside(p, q, pixel, std::min(p.x, q.x) >= pixel.x + 1);
                 continue;
             }
             const std::uint32_t across = neighbours.across[begin + e];
@@ -158,10 +139,7 @@ bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std:
         const double share = sign * moments.area;
         area += share;
         w_min_ = std::min(w_min_, candidates[m].w_min);
-        if (share <= kLeastShare) continue;
-        const auto within = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
-        parts_.push_back(
-            {face, within(moments.x / moments.area), within(moments.y / moments.area), std::min(share, 1.0)});
+        if (share > kLeastShare) parts_.push_back(part_with(face, {share, sign * moments.x, sign * moments.y}));
     }
     return std::abs(area - 1) < 0.25;  // a whole number, rounded by far less
 }

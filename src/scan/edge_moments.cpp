@@ -41,7 +41,7 @@ double crossing(Ends s, Ends t, double at, double origin) {
 }
 
 /// A vertical stretch on the right border or beyond it.
-Moments on_the_right(double top, double bottom) {
+Moments right_of_pixel(double top, double bottom) {
     const double height = bottom - top;
     return {height, height / 2, height * (top + bottom) / 2};
 }
@@ -65,7 +65,7 @@ Moments edge_moments(Point p, Point q, PixelIndex pixel) {
     // rows. An end within the pixel is moved there exactly.
     const Ends x{p.x, q.x}, y{p.y, q.y};
     const double ya = p.y < top ? 0 : p.y - top, yb = q.y > bottom ? 1 : q.y - top;
-    if (p.x >= right && q.x >= right) return with_sign(sign, on_the_right(ya, yb));
+    if (p.x >= right && q.x >= right) return with_sign(sign, right_of_pixel(ya, yb));
     const double xa = p.y < top ? crossing(y, x, top, left) : p.x - left;
     const double xb = q.y > bottom ? crossing(y, x, bottom, left) : q.x - left;
 
@@ -76,7 +76,7 @@ Moments edge_moments(Point p, Point q, PixelIndex pixel) {
     if (xa > 1) {
         begin = std::clamp(crossing(x, y, right, top), ya, yb);
         x_begin = 1;
-        sum += on_the_right(ya, begin);
+        sum += right_of_pixel(ya, begin);
     } else if (xa < 0) {
         if (xb <= 0) return {};
         begin = std::clamp(crossing(x, y, left, top), ya, yb);
@@ -85,7 +85,7 @@ Moments edge_moments(Point p, Point q, PixelIndex pixel) {
     if (xb > 1) {
         end = std::clamp(crossing(x, y, right, top), begin, yb);
         x_end = 1;
-        sum += on_the_right(end, yb);
+        sum += right_of_pixel(end, yb);
     } else if (xb < 0) {
         end = std::clamp(crossing(x, y, left, top), begin, yb);
         x_end = 0;
@@ -95,6 +95,17 @@ Moments edge_moments(Point p, Point q, PixelIndex pixel) {
     sum.x += height * (x_begin * x_begin + x_begin * x_end + x_end * x_end) / 6;
     sum.y += height * (begin * (2 * x_begin + x_end) + end * (x_begin + 2 * x_end)) / 6;
     return with_sign(sign, sum);
+}
+
+Moments edge_moments_beside(Point p, Point q, PixelIndex pixel, bool on_the_right) {
+    if (!on_the_right) return {};
+    const double from = std::clamp(p.y - pixel.y, 0.0, 1.0), to = std::clamp(q.y - pixel.y, 0.0, 1.0);
+    return right_of_pixel(from, to);
+}
+
+bool box_misses_pixel(Point p, Point q, PixelIndex pixel) {
+    return std::max(p.x, q.x) <= pixel.x || std::min(p.x, q.x) >= pixel.x + 1 ||
+           std::max(p.y, q.y) <= pixel.y || std::min(p.y, q.y) >= pixel.y + 1;
 }
 
 }  // namespace keikan

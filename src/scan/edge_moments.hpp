@@ -39,4 +39,18 @@ struct Moments {
 ///        out in double-double where the edge is longer than a pixel, and then err by one rounding.
 Moments edge_moments(Point p, Point q, PixelIndex pixel);
 
+/// The same, more cheaply, for an edge that does not meet the pixel's interior: within the pixel's rows it
+/// lies on the left of the pixel, which contributes nothing, or on the right of it.
+Moments edge_moments_beside(Point p, Point q, PixelIndex pixel, bool on_the_right);
+
+/// Whether the edge's bounding box, and with it the edge, misses the pixel's interior; exact.
+bool box_misses_pixel(Point p, Point q, PixelIndex pixel);
+
+/// The side of the pixel on which an edge lies that does not meet it, when the pixel is on the edge's inner
+/// side: the inner side of an edge that runs with rising y is the one of smaller x if its face turns from +x
+/// towards +y (`turn` > 0).
+inline bool is_right_of_what_is_inside(Point p, Point q, int turn) {
+    return turn > 0 ? q.y > p.y : q.y < p.y;
+}
+
 }  // namespace keikan

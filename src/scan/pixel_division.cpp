@@ -63,10 +63,14 @@ DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Cand
         }
         if (alone) return {Division::ExactAreas, layer_.parts(), 0};
     }
+    kept_.clear();
+    for (std::uint32_t i = 0; i < candidates.size(); ++i)
+        if (fate_[i] != Fate::Hidden) kept_.push_back(i);
+    if (apart_.divide(pixel, question_.faces, question_.facts, question_.neighbours, candidates, kept_))
+        return {Division::ExactAreas, apart_.parts(), apart_.background()};
     asked_.clear();
     asked_face_.clear();
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        if (fate_[i] == Fate::Hidden) continue;
+    for (const std::uint32_t i : kept_) {
         asked_.push_back(question_.faces[candidates[i].face]);
         asked_face_.push_back(candidates[i].face);
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "closed_layer.hpp"
+#include "faces_apart.hpp"
 #include "keikan/clip/visible_areas.hpp"
 #include "keikan/scan/scan_scene.hpp"
 #include "scanline_lengths.hpp"
@@ -51,6 +52,8 @@ class PixelDivision {
 
     ClosedLayer layer_;
     std::vector<Fate> fate_;
+    std::vector<std::uint32_t> kept_;  ///< candidates that are not hidden
+    FacesApart apart_;
     VisibleAreas visible_areas_;
     ScanlineLengths scanline_lengths_;
     std::vector<FaceView> asked_;
