@@ -376,7 +376,7 @@ std::span<const Point> clip_to_pixel(PixelIndex index, const ConvexOutline& outl
     Set outside = 0;
     for (const EdgeView& view : views) outside |= view.outside;
     // An edge adds its start, two crossings with borders at either end, and four corners of the pixel.
-    scratch.resize(9 * n + 8);
+    if (scratch.size() < 9 * n + 8) scratch.resize(9 * n + 8);
     BorderWalk walk(pixel, kAll & ~outside, scratch.data());
     Point p = outline[0];
     for (std::size_t i = 0; i < n; ++i) {

@@ -75,6 +75,10 @@ void EntrantReader::find_candidates(PixelIndex pixel, std::span<const FaceView> 
     for (std::size_t i = 0; i < faces.size(); ++i) {
         if (!may_overlap(pixel, faces[i].outline)) continue;
         Candidate candidate;
+        if (nearness == Nearness::ByDepth) {
+            candidate.depth = depth_range(pixel, faces[i].depth);
+            if (candidate.depth.max < hidden_below) continue;
+        }
         candidate.position = static_cast<std::uint32_t>(i);
         candidate.outline = convex(faces[i].outline);
         if (candidate.outline.size() < 3) continue;
@@ -82,10 +86,7 @@ void EntrantReader::find_candidates(PixelIndex pixel, std::span<const FaceView> 
         candidate.overlap = overlap(pixel, candidate.outline, views_);
         if (candidate.overlap == Overlap::Nothing) continue;
         const bool whole = candidate.overlap == Overlap::WholePixel;
-        if (nearness == Nearness::ByDepth) {
-            candidate.depth = depth_range(pixel, faces[i].depth);
-            if (whole) hidden_below = std::max(hidden_below, candidate.depth.min);
-        }
+        if (whole && nearness == Nearness::ByDepth) hidden_below = std::max(hidden_below, candidate.depth.min);
         candidates_.push_back(candidate);
         if (whole && nearness == Nearness::InOrder) break;
     }

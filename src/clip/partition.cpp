@@ -95,7 +95,6 @@ void Partition::find_cells_near(const Box& box) {
         hit[i] =
             static_cast<std::int16_t>((lx[i] < max_x) & (hx[i] > min_x) & (ly[i] < max_y) & (hy[i] > min_y));
     std::fill_n(hit + n, kAtOnce, std::int16_t{0});
-    if (near_.size() < n) near_.resize(label_.size());
     near_.clear();
     for (std::size_t i = 0; i < n; i += kAtOnce) {
         std::uint64_t some;
