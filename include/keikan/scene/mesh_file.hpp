@@ -33,8 +33,9 @@ struct LoadedMesh {
 };
 
 /// Reads OBJ (with its materials), PLY, or glTF 2 (.gltf, .glb). Polygons stay polygons where they are planar
-/// (kFilePlanarity) and convex; others are triangulated. `material_of` maps a material's name in the file (""
-/// if it has none) to an index into Scene::materials.
+/// (kFilePlanarity) and convex; others are triangulated (a polygon that crosses itself, as a fan). Corners on
+/// the same spot become one vertex, so that faces share their edges; shading is flat. `material_of` maps a
+/// material's name in the file ("" if it has none) to an index into Scene::materials.
 ///
 /// Errors: InputError with the file and the reason: not there, not readable, empty, a coordinate that is not
 ///         finite; and whatever `material_of` throws.
