@@ -15,7 +15,9 @@ using namespace keikan::oracle;
 namespace {
 
 /// `--rng-seed` asks for other pixels than those of every run.
-std::uint64_t seed() { return Catch::rngSeed() != 0 ? Catch::rngSeed() : 20240711; }
+std::uint64_t seed() {
+    return Catch::rngSeed() != 0 ? Catch::rngSeed() : 20240711;
+}
 
 /// |exact - value| <= error, in rational arithmetic.
 bool encloses(const CertifiedArea& certified, const CGAL::Gmpq& exact) {
@@ -31,7 +33,9 @@ bool encloses(const CertifiedAreas& certified, const ExactAreas& exact) {
     return encloses(certified.background, exact.background);
 }
 
-double user_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double user_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 /// Asks `check(question, faces)` of `count` pixels of each family.
 template <typename Check>
@@ -65,7 +69,8 @@ void check_certified(CertifiedSplitting& certified_areas, const PixelCase& quest
 
 }  // namespace
 
-TEST_CASE("oracle: Boolean sets, arrangements and rational splitting give the same rational numbers", "[oracle]") {
+TEST_CASE("oracle: Boolean sets, arrangements and rational splitting give the same rational numbers",
+          "[oracle]") {
     sample(10, check_proofs);
 }
 
@@ -76,9 +81,12 @@ TEST_CASE("oracle: certified areas enclose the exact ones, and are close", "[ora
     });
 }
 
-TEST_CASE("oracle: the rungs agree on many more pixels", "[.long]") {
-    CertifiedSplitting certified_areas;
+TEST_CASE("oracle: the proofs agree on many more pixels", "[.long]") {
     sample(300, check_proofs);
+}
+
+TEST_CASE("oracle: certified areas enclose the exact ones on many more pixels", "[.long]") {
+    CertifiedSplitting certified_areas;
     sample(4000, [&](const PixelCase& question, std::span<const FaceView> faces) {
         if (question.id != "denormal") check_certified(certified_areas, question, faces);
     });
@@ -114,7 +122,8 @@ TEST_CASE("oracle: by depth, the order of the list does not matter", "[oracle]")
 }
 
 TEST_CASE("oracle: a change in the last bits of an answer is not enclosed", "[oracle]") {
-    // Enclosing is only worth something if the enclosure is narrow: 1e-15 of one area moved to another falls out.
+    // Enclosing is only worth something if the enclosure is narrow: 1e-15 of one area moved to another falls
+    // out.
     CertifiedSplitting certified_areas;
     std::mt19937_64 random(seed());
     int noticed = 0;

@@ -40,7 +40,9 @@ WideInteger<N> any_number(std::mt19937_64& random) {
     return number;
 }
 
-mpq_class exact(double value) { return mpq_class(value); }
+mpq_class exact(double value) {
+    return mpq_class(value);
+}
 
 int exact_turn(Point p, Point q, Point r) {
     const mpq_class turn = (exact(p.x) - exact(r.x)) * (exact(q.y) - exact(r.y)) -
@@ -90,11 +92,17 @@ TEST_CASE("orientation: the sign is exact, whatever the doubles", "[oracle]") {
     std::mt19937_64 random(3);
     const auto coordinate = [&random] {
         switch (random() % 6) {
-            case 0: return std::ldexp(static_cast<double>(random() % 16), -1074);
-            case 1: return std::ldexp(static_cast<double>(random() >> 11), -1060 + static_cast<int>(random() % 2000));
-            case 2: return static_cast<double>(random() % 4);
-            case 3: return -0.0;
-            default: return std::ldexp(static_cast<double>(random() >> 11), -53) * 4 - 2;
+            case 0:
+                return std::ldexp(static_cast<double>(random() % 16), -1074);
+            case 1:
+                return std::ldexp(static_cast<double>(random() >> 11),
+                                  -1060 + static_cast<int>(random() % 2000));
+            case 2:
+                return static_cast<double>(random() % 4);
+            case 3:
+                return -0.0;
+            default:
+                return std::ldexp(static_cast<double>(random() >> 11), -53) * 4 - 2;
         }
     };
     for (int n = 0; n < 20000; ++n) {
@@ -122,7 +130,8 @@ TEST_CASE("convex_outline: hull, orientation and repeated points do not change t
     CHECK(ring == std::vector<Point>{{-3, 1}, {-2, -3}, {2, -3}, {3, 1}, {0, 3}});
 }
 
-TEST_CASE("exact lines: an edge is one line from either side, and three through one corner meet there", "[oracle]") {
+TEST_CASE("exact lines: an edge is one line from either side, and three through one corner meet there",
+          "[oracle]") {
     ExactLines lines;
     lines.start({4095, 2159});
     const Point p = {4095.1, 2159.7}, q = {4095.9, 2159.3}, r = {4094.3, 2158.1}, s = {4096.7, 2162.1};

@@ -39,9 +39,13 @@ void check(const PixelCase& question, const Answer& expected) {
     }
 }
 
-CGAL::Gmpq q(int over, int under) { return CGAL::Gmpq(over, under); }
+CGAL::Gmpq q(int over, int under) {
+    return CGAL::Gmpq(over, under);
+}
 
-Ring square(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring square(double x0, double y0, double x1, double y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
 
 PixelCase asked(std::vector<Ring> polygons, std::optional<std::vector<DepthPlane>> depth = {},
                 PixelIndex pixel = {}) {
@@ -54,7 +58,9 @@ PixelCase asked(std::vector<Ring> polygons, std::optional<std::vector<DepthPlane
 
 }  // namespace
 
-TEST_CASE("oracle: an empty pixel is background", "[oracle]") { check(asked({}), {1}); }
+TEST_CASE("oracle: an empty pixel is background", "[oracle]") {
+    check(asked({}), {1});
+}
 
 TEST_CASE("oracle: a face larger than the pixel fills it", "[oracle]") {
     check(asked({square(-1e6, -1e6, 1e6, 1e6)}), {1, 0});
@@ -119,7 +125,8 @@ TEST_CASE("oracle: planes that cross hide by halves", "[oracle]") {
 
 TEST_CASE("oracle: the smallest double still counts", "[oracle]") {
     const double least = std::numeric_limits<double>::denorm_min();
-    const auto exact = areas_by_rational_splitting({}, asked({square(0, 0, least, 1)}).faces(), Nearness::InOrder);
+    const auto exact =
+        areas_by_rational_splitting({}, asked({square(0, 0, least, 1)}).faces(), Nearness::InOrder);
     CHECK(exact.areas[0] > 0);
     CHECK(exact.areas[0] == CGAL::Gmpq(least));
     check(asked({square(0, 0, least, 1), square(0, 0, 0.5, 1)}),
@@ -136,8 +143,9 @@ TEST_CASE("oracle: parts that touch at a point, where CGAL's differences give up
         for (Point& p : ring) p = {p.x / 4, p.y / 4};
         return ring;
     };
-    const PixelCase question = asked({quarters({{2, 3}, {4, 0}, {3, 4}}), quarters({{1, 0}, {0, 2}, {4, 1}}),
-                                      quarters({{3, 3}, {0, 1}, {3, 0}}), quarters({{0, 1}, {1, 1}, {3, 4}})});
+    const PixelCase question =
+        asked({quarters({{2, 3}, {4, 0}, {3, 4}}), quarters({{1, 0}, {0, 2}, {4, 1}}),
+               quarters({{3, 3}, {0, 1}, {3, 0}}), quarters({{0, 1}, {1, 1}, {3, 4}})});
     const auto faces = question.faces();
     const auto exact = areas_by_boolean_sets({}, faces, Nearness::InOrder);
     CHECK(exact.background == q(6817, 13728));

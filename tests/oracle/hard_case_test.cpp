@@ -26,7 +26,9 @@ double number(const nlohmann::json& value) {
     return value.is_string() ? std::strtod(value.get<std::string>().c_str(), nullptr) : value.get<double>();
 }
 
-CGAL::Gmpq fraction(const nlohmann::json& text) { return CGAL::Gmpq(text.get<std::string>()); }
+CGAL::Gmpq fraction(const nlohmann::json& text) {
+    return CGAL::Gmpq(text.get<std::string>());
+}
 
 PixelCase pixel_case(const nlohmann::json& line) {
     PixelCase question;

@@ -14,14 +14,22 @@ namespace {
 using Random = std::mt19937_64;
 
 constexpr std::array<std::string_view, 21> kFamilies = {
-    "random",     "grid4",      "grid8",   "shared-vertex", "shared-edge",      "t-junction", "collinear",
-    "ulp-twins",  "sliver",     "nested",  "identical",     "cyclic",           "through",    "coplanar",
-    "near-coplanar", "huge",    "denormal", "border-touch", "repeated-points",  "fan",        "rounded-quad"};
+    "random",        "grid4",  "grid8",    "shared-vertex", "shared-edge",     "t-junction", "collinear",
+    "ulp-twins",     "sliver", "nested",   "identical",     "cyclic",          "through",    "coplanar",
+    "near-coplanar", "huge",   "denormal", "border-touch",  "repeated-points", "fan",        "rounded-quad"};
 
-double unit(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
-double between(Random& random, double low, double high) { return low + (high - low) * unit(random); }
-int whole(Random& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
-Point anywhere(Random& random) { return {between(random, -0.3, 1.3), between(random, -0.3, 1.3)}; }
+double unit(Random& random) {
+    return std::uniform_real_distribution<double>(0, 1)(random);
+}
+double between(Random& random, double low, double high) {
+    return low + (high - low) * unit(random);
+}
+int whole(Random& random, int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+Point anywhere(Random& random) {
+    return {between(random, -0.3, 1.3), between(random, -0.3, 1.3)};
+}
 
 DepthPlane tilted_plane(Random& random) {
     return {between(random, -1, 1), between(random, -1, 1), between(random, 0, 2)};
@@ -45,7 +53,9 @@ Ring triangle_on_grid(Random& random, int n) {
     return ring;
 }
 
-Point along(Point p, Point q, double t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
+Point along(Point p, Point q, double t) {
+    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+}
 
 Point nudged(Random& random, Point p) {
     const auto step = [&](double v) {
@@ -105,7 +115,8 @@ std::vector<Ring> rings_of(std::string_view family, Random& random) {
         } else if (family == "nested") {
             rings.push_back(ellipse_ring(random, {0.5, 0.5}, 0.1 * (i + 1)));
         } else if (family == "identical") {
-            rings.push_back(i % 3 == 0 ? Ring{anywhere(random), anywhere(random), anywhere(random)} : rings.back());
+            rings.push_back(i % 3 == 0 ? Ring{anywhere(random), anywhere(random), anywhere(random)}
+                                       : rings.back());
         } else if (family == "huge") {
             rings.push_back(huge_ring(random));
         } else if (family == "denormal") {
@@ -126,7 +137,8 @@ std::vector<Ring> rings_of(std::string_view family, Random& random) {
         } else if (family == "fan") {
             const double step = 2 * std::numbers::pi / count;
             const auto rim = [&](int k) {
-                return Point{hub.x + 0.6 * std::cos(step * (k % count)), hub.y + 0.6 * std::sin(step * (k % count))};
+                return Point{hub.x + 0.6 * std::cos(step * (k % count)),
+                             hub.y + 0.6 * std::sin(step * (k % count))};
             };
             rings.push_back({hub, rim(i), rim(i + 1)});
         } else if (family == "rounded-quad") {
@@ -155,9 +167,11 @@ std::vector<DepthPlane> depth_of(std::string_view family, std::size_t count, Ran
             const Point ab = nudged(random, {base.a, base.b});
             planes[i] = {ab.x, ab.y, nudged(random, {base.c, 0}).x};
         } else if (family == "denormal") {
-            planes[i] = {std::ldexp(unit(random), -whole(random, 0, 1060)), unit(random), 1e-300 * unit(random)};
+            planes[i] = {std::ldexp(unit(random), -whole(random, 0, 1060)), unit(random),
+                         1e-300 * unit(random)};
         } else if (family == "grid4" || family == "border-touch") {
-            planes[i] = {double(whole(random, -1, 1)), double(whole(random, -1, 1)), double(whole(random, -1, 1))};
+            planes[i] = {double(whole(random, -1, 1)), double(whole(random, -1, 1)),
+                         double(whole(random, -1, 1))};
         }
     }
     return planes;
@@ -167,22 +181,26 @@ void move_to_pixel(PixelCase& question) {
     for (Ring& ring : question.polygons)
         for (Point& p : ring) p = {p.x + question.pixel.x, p.y + question.pixel.y};
     if (!question.depth) return;
-    for (DepthPlane& plane : *question.depth) plane.c -= plane.a * question.pixel.x + plane.b * question.pixel.y;
+    for (DepthPlane& plane : *question.depth)
+        plane.c -= plane.a * question.pixel.x + plane.b * question.pixel.y;
 }
 
 }  // namespace
 
-std::span<const std::string_view> sample_families() { return kFamilies; }
+std::span<const std::string_view> sample_families() {
+    return kFamilies;
+}
 
 PixelCase sample_pixel(std::string_view family, std::mt19937_64& random) {
-    if (std::ranges::find(kFamilies, family) == kFamilies.end()) throw std::invalid_argument("unknown family");
+    if (std::ranges::find(kFamilies, family) == kFamilies.end())
+        throw std::invalid_argument("unknown family");
     PixelCase question;
     question.id = family;
     const bool in_corner = family == "denormal" || whole(random, 0, 2) == 0;
     if (!in_corner) question.pixel = {whole(random, 0, 1) == 0 ? 4095 : 517, 2159};
     question.polygons = rings_of(family, random);
-    const bool about_depth = family == "cyclic" || family == "through" || family == "coplanar" ||
-                             family == "near-coplanar";
+    const bool about_depth =
+        family == "cyclic" || family == "through" || family == "coplanar" || family == "near-coplanar";
     if (about_depth || whole(random, 0, 1) == 1)
         question.depth = depth_of(family, question.polygons.size(), random);
     move_to_pixel(question);
@@ -229,8 +247,8 @@ PixelCase crowded_pixel(int bars) {
                                      {middle.x + way.x, middle.y + way.y},
                                      {middle.x + way.x + side.x, middle.y + way.y + side.y},
                                      {middle.x - way.x + side.x, middle.y - way.y + side.y}});
-        question.depth->push_back({between(random, -0.01, 0.01), between(random, -0.01, 0.01),
-                                   between(random, 1, 1.05)});
+        question.depth->push_back(
+            {between(random, -0.01, 0.01), between(random, -0.01, 0.01), between(random, 1, 1.05)});
     }
     move_to_pixel(question);
     return question;

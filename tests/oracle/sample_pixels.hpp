@@ -19,7 +19,8 @@ PixelCase sample_pixel(std::string_view family, std::mt19937_64& random);
 /// A pixel as mountains give it: three visible faces of one mesh in front of twenty hidden ones.
 PixelCase terrain_pixel(std::mt19937_64& random);
 
-/// `bars` thin bars that cross each other in and out of depth, as the far members of a tower do. Always the same.
+/// `bars` thin bars that cross each other in and out of depth, as the far members of a tower do. Always the
+/// same.
 PixelCase crowded_pixel(int bars);
 
 }  // namespace keikan::oracle

@@ -2,9 +2,10 @@
 // The slowest rung and the last word: every step is a Boolean set operation of CGAL on polygons with exact
 // coordinates. Nothing here is clever, on purpose.
 //
-// CGAL 5.5 gives up on some sequences of differences, with a violated precondition (Arrangement_on_surface_2.h:
-// number_of_outer_ccbs() == 1), when parts of a set touch at a point: about one pixel in 600 whose corners lie on a
-// coarse grid. Such a pixel is decided by a plain arrangement of all segments, CGAL's as well.
+// CGAL 5.5 gives up on some sequences of differences, with a violated precondition
+// (Arrangement_on_surface_2.h: number_of_outer_ccbs() == 1), when parts of a set touch at a point: about one
+// pixel in 600 whose corners lie on a coarse grid. Such a pixel is decided by a plain arrangement of all
+// segments, CGAL's as well.
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Boolean_set_operations_2.h>
@@ -34,8 +35,8 @@ using PolygonSet = CGAL::Polygon_set_2<Kernel>;
 
 Polygon pixel_square(PixelIndex pixel) {
     const ExactNumber x(pixel.x), y(pixel.y);
-    const std::array<ExactPoint, 4> corners = {ExactPoint(x, y), ExactPoint(x + 1, y), ExactPoint(x + 1, y + 1),
-                                               ExactPoint(x, y + 1)};
+    const std::array<ExactPoint, 4> corners = {ExactPoint(x, y), ExactPoint(x + 1, y),
+                                               ExactPoint(x + 1, y + 1), ExactPoint(x, y + 1)};
     return Polygon(corners.begin(), corners.end());
 }
 
@@ -49,7 +50,8 @@ Polygon convex_outline(const FaceView& face) {
 }
 
 /// The part of `square` where a x + b y + c > 0, with its border; empty if there is none.
-Polygon positive_part(const Polygon& square, const ExactNumber& a, const ExactNumber& b, const ExactNumber& c) {
+Polygon positive_part(const Polygon& square, const ExactNumber& a, const ExactNumber& b,
+                      const ExactNumber& c) {
     Polygon part;
     bool has_inside = false;
     for (std::size_t i = 0; i < square.size(); ++i) {
@@ -65,8 +67,8 @@ Polygon positive_part(const Polygon& square, const ExactNumber& a, const ExactNu
 }
 
 /// The part of the pixel where face `other` is nearer than face `face`.
-Polygon where_nearer(const Polygon& square, std::span<const FaceView> faces, std::size_t other, std::size_t face,
-                     Nearness nearness) {
+Polygon where_nearer(const Polygon& square, std::span<const FaceView> faces, std::size_t other,
+                     std::size_t face, Nearness nearness) {
     if (nearness == Nearness::InOrder) return other < face ? square : Polygon();
     const DepthPlane& u = faces[other].depth;
     const DepthPlane& v = faces[face].depth;
@@ -77,7 +79,9 @@ Polygon where_nearer(const Polygon& square, std::span<const FaceView> faces, std
     return positive_part(square, ExactNumber(u.a) - v.a, ExactNumber(u.b) - v.b, ExactNumber(u.c) - v.c);
 }
 
-CGAL::Gmpq as_gmpq(const ExactNumber& number) { return CGAL::Gmpq(CGAL::exact(number).get_mpq_t()); }
+CGAL::Gmpq as_gmpq(const ExactNumber& number) {
+    return CGAL::Gmpq(CGAL::exact(number).get_mpq_t());
+}
 
 CGAL::Gmpq exact_area(const PolygonSet& set) {
     std::vector<PolygonWithHoles> parts;
@@ -121,8 +125,8 @@ ExactAreas by_boolean_sets(PixelIndex pixel, std::span<const FaceView> faces, Ne
 
 using Arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Kernel>>;
 
-/// Whether the points just left of the middle of p q lie in the convex polygon. A side of the polygon that runs through
-/// that middle must run along p q.
+/// Whether the points just left of the middle of p q lie in the convex polygon. A side of the polygon that
+/// runs through that middle must run along p q.
 bool just_left_is_in(const Polygon& convex, const ExactPoint& p, const ExactPoint& q) {
     if (convex.is_empty()) return false;
     const ExactPoint middle = CGAL::midpoint(p, q);
@@ -130,7 +134,8 @@ bool just_left_is_in(const Polygon& convex, const ExactPoint& p, const ExactPoin
     for (auto side = convex.edges_begin(); side != convex.edges_end(); ++side) {
         const CGAL::Orientation turn = CGAL::orientation(side->source(), side->target(), middle);
         if (turn == CGAL::RIGHT_TURN) return false;
-        if (turn == CGAL::COLLINEAR && CGAL::orientation(side->to_vector(), left) != CGAL::LEFT_TURN) return false;
+        if (turn == CGAL::COLLINEAR && CGAL::orientation(side->to_vector(), left) != CGAL::LEFT_TURN)
+            return false;
     }
     return true;
 }
@@ -166,8 +171,8 @@ ExactAreas areas_by_boolean_sets(PixelIndex pixel, std::span<const FaceView> fac
     return areas_by_arrangement(pixel, faces, nearness);
 }
 
-/// All outlines, and the borders of all regions of nearness, cut the pixel into parts; each part is seen whole, by the
-/// face nearest in it.
+/// All outlines, and the borders of all regions of nearness, cut the pixel into parts; each part is seen
+/// whole, by the face nearest in it.
 ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness) {
     const std::size_t count = faces.size();
     const Polygon square = pixel_square(pixel);
@@ -200,8 +205,7 @@ ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> face
 
         std::optional<std::size_t> seen;
         for (std::size_t i = 0; i < count; ++i)
-            if (just_left_is_in(outlines[i], p, q) &&
-                (!seen || just_left_is_in(nearer_than[*seen][i], p, q)))
+            if (just_left_is_in(outlines[i], p, q) && (!seen || just_left_is_in(nearer_than[*seen][i], p, q)))
                 seen = i;
         (seen ? result.areas[*seen] : result.background) += area;
     }

@@ -3,10 +3,11 @@
 //
 //   a cell, the nearest face found for it so far, and the faces not yet looked at, most promising first
 //     - no face is left that may be nearer: the cell belongs to the face found, or to the background
-//     - else the next face divides the cell: outside it, inside and nearer than the face found, inside and farther
+//     - else the next face divides the cell: outside it, inside and nearer than the face found, inside and
+//     farther
 //
-// Every division is along a line of the question (exact_lines.hpp), every choice an exact sign. Faces are prepared
-// when they are first needed; a face behind what covers the cell costs two comparisons.
+// Every division is along a line of the question (exact_lines.hpp), every choice an exact sign. Faces are
+// prepared when they are first needed; a face behind what covers the cell costs two comparisons.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,10 +44,11 @@ struct Box {
 constexpr double kBoxMargin = 0x1p-50;
 
 struct Candidate {
-    Box box;                       ///< of the outline within the pixel
-    long double least, greatest;   ///< w over the box lies between
+    Box box;                      ///< of the outline within the pixel
+    long double least, greatest;  ///< w over the box lies between
     enum { Untouched, ShowsNothing, Ready } state = Untouched;
-    std::size_t first_edge = 0, last_edge = 0;  ///< the edges that may cross the pixel; interior to their left
+    std::size_t first_edge = 0,
+                last_edge = 0;  ///< the edges that may cross the pixel; interior to their left
 };
 
 /// Where a face is nearer than another.
@@ -70,8 +72,8 @@ struct CertifiedSplitting::Working {
     KeyTable preference_of_pair;
     std::vector<Preference> preferences;
     std::vector<CellCorner> corners;
-    std::vector<Cell> outside;        ///< parts of a cell cut off so far
-    std::vector<int> sides;           ///< of a cell's corners, the first repeated at the end
+    std::vector<Cell> outside;  ///< parts of a cell cut off so far
+    std::vector<int> sides;     ///< of a cell's corners, the first repeated at the end
     std::vector<Point> ring;
     std::vector<UInt128> twice_area;  ///< of each face, then the background, in units of 2^-2 kFixedBits
     std::vector<double> extent;       ///< sum of width and height of the cells added
@@ -143,7 +145,8 @@ void CertifiedSplitting::Working::ask(PixelIndex pixel_asked, std::span<const Fa
         if (add_candidate(i)) order.push_back(i);
     if (nearness == Nearness::ByDepth)
         std::ranges::stable_sort(order, [this](std::int32_t i, std::int32_t j) {
-            return candidates[static_cast<std::size_t>(i)].greatest > candidates[static_cast<std::size_t>(j)].greatest;
+            return candidates[static_cast<std::size_t>(i)].greatest >
+                   candidates[static_cast<std::size_t>(j)].greatest;
         });
     corners = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
     resolve({0, 4}, kNoFace, 0);
@@ -171,7 +174,8 @@ bool CertifiedSplitting::Working::prepare(std::int32_t face) {
 bool CertifiedSplitting::Working::certainly_behind(std::int32_t face, std::int32_t found) const {
     if (found == kNoFace) return false;
     if (nearness == Nearness::InOrder) return true;
-    return candidates[static_cast<std::size_t>(face)].greatest < candidates[static_cast<std::size_t>(found)].least;
+    return candidates[static_cast<std::size_t>(face)].greatest <
+           candidates[static_cast<std::size_t>(found)].least;
 }
 
 /// Requires: ByDepth.
@@ -233,7 +237,8 @@ void CertifiedSplitting::Working::split(const Cell& cell, SidedLine line, Cell& 
         const std::size_t begin = corners.size();
         // Backwards from `last` lies the run of corners on this side.
         std::size_t first = last;
-        while (sides[(first + cell.count - 1) % cell.count] == side) first = (first + cell.count - 1) % cell.count;
+        while (sides[(first + cell.count - 1) % cell.count] == side)
+            first = (first + cell.count - 1) % cell.count;
         corners.push_back({cut[1 - leaves], beyond[1 - leaves]});
         for (std::size_t i = first;; i = (i + 1) % cell.count) {
             corners.push_back(corners[cell.begin + i]);
@@ -342,9 +347,9 @@ void CertifiedSplitting::Working::add(const Cell& cell, std::int32_t face) {
     extent[owner] += 0x1p-62 * (static_cast<double>(x1 - x0) + static_cast<double>(y1 - y0)) + 0x1p-58;
 }
 
-/// A cell's corners are off by at most d = kVertexError each way. With p_i its corners, its area is off by half the
-/// sum of e_i x (p_(i+1) - p_(i-1)), at most 2 d (width + height) because its border goes there and back once, and
-/// by terms of d^2 (with the rounding of width and height: the 2^-58 added in `add`).
+/// A cell's corners are off by at most d = kVertexError each way. With p_i its corners, its area is off by
+/// half the sum of e_i x (p_(i+1) - p_(i-1)), at most 2 d (width + height) because its border goes there and
+/// back once, and by terms of d^2 (with the rounding of width and height: the 2^-58 added in `add`).
 CertifiedAreas CertifiedSplitting::Working::answer() const {
     CertifiedAreas result;
     UInt128 total = 0;
@@ -361,8 +366,10 @@ CertifiedAreas CertifiedSplitting::Working::answer() const {
     result.background = area_of(faces.size());
 
     // The cells divide the pixel: a slip of the combinatorics would show here.
-    const auto missing = static_cast<Int128>(total) - (static_cast<Int128>(1) << (2 * ExactLines::kFixedBits + 1));
-    result.certified = std::abs(std::ldexp(static_cast<double>(missing), -2 * ExactLines::kFixedBits - 1)) <= total_error;
+    const auto missing =
+        static_cast<Int128>(total) - (static_cast<Int128>(1) << (2 * ExactLines::kFixedBits + 1));
+    result.certified =
+        std::abs(std::ldexp(static_cast<double>(missing), -2 * ExactLines::kFixedBits - 1)) <= total_error;
     if (!result.certified) result.areas.clear();
     return result;
 }
@@ -384,7 +391,9 @@ bool all_finite(std::span<const FaceView> faces, Nearness nearness) {
 }  // namespace
 
 CertifiedSplitting::CertifiedSplitting() : working_(new Working) {}
-CertifiedSplitting::~CertifiedSplitting() { delete working_; }
+CertifiedSplitting::~CertifiedSplitting() {
+    delete working_;
+}
 
 CertifiedAreas CertifiedSplitting::operator()(PixelIndex pixel, std::span<const FaceView> faces,
                                               Nearness nearness) {

@@ -10,10 +10,12 @@
 namespace keikan::oracle {
 namespace {
 
-bool before(Point p, Point q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
+bool before(Point p, Point q) {
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+}
 
-/// A ring that only turns one way (1 or -1) and goes round once; else 0. It goes round once if, read around, its
-/// points rise in lexicographic order and fall again, once each.
+/// A ring that only turns one way (1 or -1) and goes round once; else 0. It goes round once if, read around,
+/// its points rise in lexicographic order and fall again, once each.
 int strictly_convex(std::span<const Point> ring) {
     const std::size_t n = ring.size();
     if (n < 3) return 0;
@@ -63,8 +65,8 @@ void convex_outline(std::span<const Point> outline, std::vector<Point>& ring) {
 }
 
 PixelSide pixel_side(Point p, Point q, PixelIndex pixel) {
-    // For a rounded difference of the corner's products, see `orientation`: the same bound, for all four corners. The
-    // corners are exact doubles.
+    // For a rounded difference of the corner's products, see `orientation`: the same bound, for all four
+    // corners. The corners are exact doubles.
     constexpr double kRelativeError = 3.3306690738754716e-16;
     constexpr double kNoUnderflow = 1e-280;
     int left = 0, right = 0;
@@ -72,7 +74,8 @@ PixelSide pixel_side(Point p, Point q, PixelIndex pixel) {
         const double x = pixel.x + (corner & 1), y = pixel.y + (corner >> 1);
         const double first = (p.x - x) * (q.y - y), second = (p.y - y) * (q.x - x);
         const double size = std::abs(first) + std::abs(second);
-        if (!(size > kNoUnderflow && std::abs(first - second) > kRelativeError * size)) return PixelSide::Unknown;
+        if (!(size > kNoUnderflow && std::abs(first - second) > kRelativeError * size))
+            return PixelSide::Unknown;
         (first > second ? left : right) += 1;
     }
     return left == 4 ? PixelSide::Left : right == 4 ? PixelSide::Right : PixelSide::Unknown;

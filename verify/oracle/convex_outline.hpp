@@ -8,8 +8,9 @@
 
 namespace keikan::oracle {
 
-/// The convex hull of `outline`, strictly convex, counter-clockwise (with y upwards), into `ring`; empty where it
-/// has no area. Exact. An outline that is strictly convex already, as nearly all are, is only looked at once.
+/// The convex hull of `outline`, strictly convex, counter-clockwise (with y upwards), into `ring`; empty
+/// where it has no area. Exact. An outline that is strictly convex already, as nearly all are, is only looked
+/// at once.
 void convex_outline(std::span<const Point> outline, std::vector<Point>& ring);
 
 /// Where the pixel certainly lies, seen from an edge. A filter: it may not know.

@@ -9,6 +9,12 @@
 #include "keikan/model/face.hpp"
 #include "keikan/model/pixel.hpp"
 
+// The question, for every rung alike: the pixel's unit square; the faces' doubles, each exactly the number
+// that it is; an outline is the convex hull of its points (which only matters where rounding has made it
+// concave), and shows nothing if that has no area. ByDepth, w of two planes is compared exactly at every
+// point; where it is equal everywhere, the smaller id is seen, and of two equal ids the earlier in the list.
+//
+// Requires: finite numbers, |pixel index| < 2^22.
 namespace keikan::oracle {
 
 /// Every area exactly, as a rational number. Parallel to the list of faces asked about; 0 where a face shows
@@ -20,14 +26,18 @@ struct ExactAreas {
 };
 
 /// Proof, slowest rung: the visible region of each face by CGAL's Boolean set operations (Polygon_set_2 over
-/// EPECK), its area summed exactly.
+/// EPECK), its area summed exactly. Where CGAL's operations fail, as CGAL 5.5's sometimes do where parts
+/// touch at a point, or do not add up to 1, `areas_by_arrangement` answers. Cost: some 15 ms for a pixel of 7
+/// faces.
 ExactAreas areas_by_boolean_sets(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
-/// Proof by a third method of CGAL's, which answers where the Boolean set operations give up: one arrangement of all
-/// segments, each of whose faces is seen whole.
+/// Proof by a third method of CGAL's, which answers where the Boolean set operations give up: one arrangement
+/// of all segments, each of whose faces is seen whole.
 ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
-/// Proof by another method: convex splitting of point lists in rational arithmetic.
+/// Proof by another method: convex splitting of point lists in rational arithmetic. Throws std::logic_error
+/// if the areas do not add up to 1 exactly. Cost: some 0.3 ms for a pixel of 7 faces; more where numbers are
+/// denormal.
 ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
 /// An area that is certainly within [value - error, value + error].
@@ -43,7 +53,9 @@ struct CertifiedAreas {
 };
 
 /// Proof, fast rung: combinatorics from exact signs of determinants of the input lines, areas in extended
-/// precision with a running error bound. One object a thread.
+/// precision with an error bound of some 1e-17, besides the rounding to a double. Not certified: numbers that
+/// are not finite, or areas that do not add up to 1 within their errors, which would be a mistake of ours.
+/// One object a thread. Cost: 10 to 60 microseconds for a pixel of 7 faces; hidden faces cost little.
 class CertifiedSplitting {
   public:
     CertifiedSplitting();

@@ -37,8 +37,9 @@ int exact_orientation(Point p, Point q, Point r) {
 }  // namespace
 
 int orientation(Point p, Point q, Point r) {
-    // Each difference has a relative error u = 2^-53, each product 3 u + ..., their difference one u more: Shewchuk's
-    // bound (3 + 16 u) u of the sum of sizes. Below kNoUnderflow a product may have lost its relative precision.
+    // Each difference has a relative error u = 2^-53, each product 3 u + ..., their difference one u more:
+    // Shewchuk's bound (3 + 16 u) u of the sum of sizes. Below kNoUnderflow a product may have lost its
+    // relative precision.
     constexpr double kRelativeError = 3.3306690738754716e-16;
     constexpr double kNoUnderflow = 1e-280;
     const double left = (p.x - r.x) * (q.y - r.y);

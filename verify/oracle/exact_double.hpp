@@ -46,8 +46,8 @@ inline mpz_class whole_number_of_any_length(double value, int bits) {
     return result;
 }
 
-/// 1 if p, q, r turn counter-clockwise (with y upwards), -1 if clockwise, 0 if they lie on one line. Exact for
-/// all finite doubles.
+/// 1 if p, q, r turn counter-clockwise (with y upwards), -1 if clockwise, 0 if they lie on one line. Exact
+/// for all finite doubles.
 int orientation(Point p, Point q, Point r);
 
 }  // namespace keikan::oracle

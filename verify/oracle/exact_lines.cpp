@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long the numbers are. With coordinates below 2^24 pixels that are multiples of 2^-100 (every double of a
-// size of 2^-47 or more is one), a point is two whole numbers below 2^124, and
+// How long the numbers are. With coordinates below 2^24 pixels that are multiples of 2^-100 (every double of
+// a size of 2^-47 or more is one), a point is two whole numbers below 2^124, and
 //     a, b        < 2^125     2 limbs        w = a b' - a' b   < 2^251    4 limbs
 //     c           < 2^249     4 limbs        x = b c' - b' c   < 2^375    6 limbs
 //     a'' x + b'' y + c'' w < 2^502          8 limbs.
@@ -29,8 +29,8 @@ static_assert(std::numeric_limits<long double>::digits >= 64, "vertices are plac
 constexpr int kUnitBits = 100;
 constexpr int kCoordinateLength = 124;
 
-/// With u = 2^-53: a vertex is off by u, a coefficient by 2 u of its size, the products, their sum and the last sum
-/// by u each; so a x + b y + c errs by at most 6 u (|a| + |b| + |c|), x and y being at most 1.
+/// With u = 2^-53: a vertex is off by u, a coefficient by 2 u of its size, the products, their sum and the
+/// last sum by u each; so a x + b y + c errs by at most 6 u (|a| + |b| + |c|), x and y being at most 1.
 constexpr double kValueError = 0x1p-50;
 
 using Corner = std::optional<std::pair<Int128, Int128>>;
@@ -40,12 +40,15 @@ Corner whole_corner(Point p, PixelIndex pixel) {
     const auto x = whole_number(p.x, kUnitBits, kCoordinateLength - 1);
     const auto y = whole_number(p.y, kUnitBits, kCoordinateLength - 1);
     constexpr int kFarthestPixel = 1 << 22;
-    if (!x || !y || std::abs(pixel.x) > kFarthestPixel || std::abs(pixel.y) > kFarthestPixel) return std::nullopt;
+    if (!x || !y || std::abs(pixel.x) > kFarthestPixel || std::abs(pixel.y) > kFarthestPixel)
+        return std::nullopt;
     const Int128 one = static_cast<Int128>(1) << kUnitBits;
     return std::pair(*x - one * pixel.x, *y - one * pixel.y);
 }
 
-std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value + 0.0); }  // one zero only
+std::uint64_t bits(double value) {
+    return std::bit_cast<std::uint64_t>(value + 0.0);
+}  // one zero only
 
 int least_exponent(std::initializer_list<double> values) {
     int least = 0;
@@ -55,7 +58,8 @@ int least_exponent(std::initializer_list<double> values) {
 
 /// value * 2^exponent; std::ldexp in the range that occurs here, without its checks.
 long double scaled(long double value, int exponent) {
-    return value * static_cast<long double>(std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52));
+    return value *
+           static_cast<long double>(std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52));
 }
 
 double scaled_double(const Leading& number, int exponent) {
@@ -160,8 +164,8 @@ SidedLine ExactLines::line_through(Point p, Point q) {
         known = add_line(ExactLine{WideInteger<2>(py - qy), WideInteger<2>(qx - px), c}, from, to);
         return {known, sense};
     }
-    // In units of 2^-n pixels, n large enough: (A, B, C). In units of 2^-kUnitBits: C is 2^(kUnitBits - n) times
-    // as much; A and B are multiplied instead, since n >= kUnitBits.
+    // In units of 2^-n pixels, n large enough: (A, B, C). In units of 2^-kUnitBits: C is 2^(kUnitBits - n)
+    // times as much; A and B are multiplied instead, since n >= kUnitBits.
     const int n = std::max(kUnitBits, -least_exponent({p.x, p.y, q.x, q.y}));
     const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(n);
     const mpz_class px = whole_number_of_any_length(p.x, n) - pixel_.x * one;
@@ -179,8 +183,8 @@ SidedLine ExactLines::line_of_equal_depth(const DepthPlane& nearer, const DepthP
     for (const double value : values)
         if (value != 0) least = std::min(least, binary_fraction(value).exponent);
 
-    // Coefficients below 2^108 give differences below 2^109, a constant below 2^123 at the pixel's corner (an index is
-    // below 2^13), and that 2^100 times, below 2^223.
+    // Coefficients below 2^108 give differences below 2^109, a constant below 2^123 at the pixel's corner (an
+    // index is below 2^13), and that 2^100 times, below 2^223.
     std::array<Int128, 6> whole{};
     bool fits = true;
     for (std::size_t i = 0; i < 6 && fits; ++i) {
@@ -192,9 +196,10 @@ SidedLine ExactLines::line_of_equal_depth(const DepthPlane& nearer, const DepthP
         const Int128 a = whole[0] - whole[3], b = whole[1] - whole[4];
         const Int128 c = whole[2] - whole[5] + a * pixel_.x + b * pixel_.y;
         const Int128 one = static_cast<Int128>(1) << kUnitBits;
-        return {add_line(ExactLine{WideInteger<2>(a), WideInteger<2>(b), WideInteger<2>(c) * WideInteger<2>(one)},
-                         -1, -1),
-                1};
+        return {
+            add_line(ExactLine{WideInteger<2>(a), WideInteger<2>(b), WideInteger<2>(c) * WideInteger<2>(one)},
+                     -1, -1),
+            1};
     }
     std::array<mpz_class, 6> number;
     for (std::size_t i = 0; i < 6; ++i) number[i] = whole_number_of_any_length(values[i], -least);
@@ -205,8 +210,9 @@ SidedLine ExactLines::line_of_equal_depth(const DepthPlane& nearer, const DepthP
 
 namespace {
 
-/// over / under in pixels, in units of 2^-kFixedBits. Either is known to 2^-63 of its size and the quotient is rounded by
-/// 2^-64 of its own, which is at most 1: together 1.25 units, and half a unit for the whole number, below 2.
+/// over / under in pixels, in units of 2^-kFixedBits. Either is known to 2^-63 of its size and the quotient
+/// is rounded by 2^-64 of its own, which is at most 1: together 1.25 units, and half a unit for the whole
+/// number, below 2.
 std::int64_t fixed_quotient(const Leading& over, const Leading& under) {
     constexpr int kUnits = ExactLines::kFixedBits - kUnitBits;
     return std::llrint(scaled(over.mantissa / under.mantissa, over.exponent - under.exponent + kUnits));
@@ -302,7 +308,8 @@ VertexId ExactLines::meeting_point_of_any_length(Vertex vertex) {
 }
 
 int ExactLines::exact_side(VertexId vertex, LineId line) {
-    if (vertices_[static_cast<std::size_t>(vertex)].any_length >= 0 || !lines_[static_cast<std::size_t>(line)].fits)
+    if (vertices_[static_cast<std::size_t>(vertex)].any_length >= 0 ||
+        !lines_[static_cast<std::size_t>(line)].fits)
         return side_of_any_length(vertex, line);
     const ExactLine& l = exact_lines_[static_cast<std::size_t>(line)];
     const ExactVertex& exact = exact_vertices_[static_cast<std::size_t>(vertex)];

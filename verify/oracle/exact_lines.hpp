@@ -6,9 +6,9 @@
 #include <deque>
 #include <vector>
 
-#include "key_table.hpp"
 #include "keikan/model/face.hpp"
 #include "keikan/model/pixel.hpp"
+#include "key_table.hpp"
 #include "wide_integer.hpp"
 
 namespace keikan::oracle {
@@ -26,8 +26,8 @@ struct SidedLine {
 ///
 /// A line is the question's: a border of the pixel, the line through two corners of an outline, or the line
 /// on which two depth planes are equal. The line of an edge that two faces share is one line, whichever way
-/// either runs along it. A vertex is two lines. Whether it lies left of, on or right of a third is the sign of a
-/// determinant of nine given numbers, whatever was cut before.
+/// either runs along it. A vertex is two lines. Whether it lies left of, on or right of a third is the sign
+/// of a determinant of nine given numbers, whatever was cut before.
 ///
 /// Coordinates are pixel-local, in units of 2^-kUnitBits pixels.
 class ExactLines {
@@ -38,12 +38,12 @@ class ExactLines {
     static constexpr double kVertexError = 0x1p-61;
 
     struct Vertex {
-        double x, y;             ///< within 2^-53 of the exact ones, pixel-local
-        std::int64_t fixed_x;    ///< in units of 2^-kFixedBits, within kVertexError
+        double x, y;           ///< within 2^-53 of the exact ones, pixel-local
+        std::int64_t fixed_x;  ///< in units of 2^-kFixedBits, within kVertexError
         std::int64_t fixed_y;
         LineId first, second;
-        std::int32_t corner;     ///< the outlines' corner that both lines pass through, or -1
-        std::int32_t any_length; ///< where its exact coordinates stand if they do not fit, or -1
+        std::int32_t corner;      ///< the outlines' corner that both lines pass through, or -1
+        std::int32_t any_length;  ///< where its exact coordinates stand if they do not fit, or -1
     };
 
     /// Forgets everything; the four borders of `pixel` become lines 0..3, its corners vertices 0..3, where

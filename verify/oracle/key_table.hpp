@@ -6,8 +6,8 @@
 
 namespace keikan::oracle {
 
-/// Numbers keys in the order in which they come. Forgetting all of them costs nothing, so that one table serves
-/// pixel after pixel.
+/// Numbers keys in the order in which they come. Forgetting all of them costs nothing, so that one table
+/// serves pixel after pixel.
 class KeyTable {
   public:
     struct Key {
@@ -44,7 +44,8 @@ class KeyTable {
         std::uint64_t hash = (key.first ^ (key.second * 0x9e3779b97f4a7c15u)) * 0xff51afd7ed558ccdu;
         hash ^= hash >> 32;
         std::size_t place = hash & (slots_.size() - 1);
-        while (slots_[place].round == round_ && slots_[place].key != key) place = (place + 1) & (slots_.size() - 1);
+        while (slots_[place].round == round_ && slots_[place].key != key)
+            place = (place + 1) & (slots_.size() - 1);
         return place;
     }
 

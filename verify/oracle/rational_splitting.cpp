@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact areas by cutting convex polygons, written as lists of points, along lines.
 //
-// A point is X/W, Y/W with integers X, Y, W; a line has integer coefficients. A cut is always made with the line
-// itself, never with a line through points that were cut before: so the integers have a bounded length, however
-// often a polygon is cut.
+// A point is X/W, Y/W with integers X, Y, W; a line has integer coefficients. A cut is always made with the
+// line itself, never with a line through points that were cut before: so the integers have a bounded length,
+// however often a polygon is cut.
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -46,9 +46,9 @@ struct Line {
     double near_a = 0, near_b = 0, near_c = 0;  ///< with a common factor that makes the largest at most 1
 };
 
-/// A point of the pixel lies on that side of a line on which the rounded value says that it lies, if the value is
-/// larger than this: x and y are off by 2^-50 and at most 1, a, b, c by 2^-52 of their size, which is at most 1, and five
-/// roundings add 2^-53 of a sum of at most 3.
+/// A point of the pixel lies on that side of a line on which the rounded value says that it lies, if the
+/// value is larger than this: x and y are off by 2^-50 and at most 1, a, b, c by 2^-52 of their size, which
+/// is at most 1, and five roundings add 2^-53 of a sum of at most 3.
 constexpr double kUncertainValue = 0x1p-47;
 
 /// (x/w, y/w), w > 0, pixel-local.
@@ -119,7 +119,7 @@ class Splitting {
     ConvexPolygon square_;
     std::vector<ConvexPolygon> polygons_;  ///< of the faces, in the pixel
     std::vector<Box> boxes_;               ///< of these
-    mpz_class sum_, other_sum_;  ///< kept, so that a side test allocates nothing
+    mpz_class sum_, other_sum_;            ///< kept, so that a side test allocates nothing
 };
 
 /// False if the outline's bounding box has no area in common with the pixel.
@@ -144,14 +144,14 @@ Splitting::Splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness
 
 const Line* Splitting::add_line(Line line) {
     // Common factors 2^n would only make every later number longer. (mpz_scan1 of 0 is the largest number.)
-    const mp_bitcnt_t zeros =
-        std::min({mpz_scan1(line.a.get_mpz_t(), 0), mpz_scan1(line.b.get_mpz_t(), 0),
-                  mpz_scan1(line.c.get_mpz_t(), 0)});
+    const mp_bitcnt_t zeros = std::min({mpz_scan1(line.a.get_mpz_t(), 0), mpz_scan1(line.b.get_mpz_t(), 0),
+                                        mpz_scan1(line.c.get_mpz_t(), 0)});
     line.a >>= zeros;
     line.b >>= zeros;
     line.c >>= zeros;
-    const auto length = std::max({mpz_sizeinbase(line.a.get_mpz_t(), 2), mpz_sizeinbase(line.b.get_mpz_t(), 2),
-                                  mpz_sizeinbase(line.c.get_mpz_t(), 2)});
+    const auto length =
+        std::max({mpz_sizeinbase(line.a.get_mpz_t(), 2), mpz_sizeinbase(line.b.get_mpz_t(), 2),
+                  mpz_sizeinbase(line.c.get_mpz_t(), 2)});
     const auto near = [length](const mpz_class& value) {
         long exponent = 0;
         const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t());
@@ -244,9 +244,8 @@ ConvexPolygon Splitting::polygon_through(const std::vector<const HomogeneousPoin
 /// The convex hull, strictly convex, by Andrew's monotone chains; empty if it has no area.
 std::vector<const HomogeneousPoint*> Splitting::hull(std::span<const Point> outline) {
     std::vector<Point> sorted(outline.begin(), outline.end());
-    std::ranges::sort(sorted, [](const Point& p, const Point& q) {
-        return p.x != q.x ? p.x < q.x : p.y < q.y;
-    });
+    std::ranges::sort(sorted,
+                      [](const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     std::vector<const HomogeneousPoint*> exact;
     for (const Point& p : sorted) {
@@ -257,8 +256,10 @@ std::vector<const HomogeneousPoint*> Splitting::hull(std::span<const Point> outl
     }
     if (exact.size() < 3) return {};
 
-    const auto turns_left = [](const HomogeneousPoint& p, const HomogeneousPoint& q, const HomogeneousPoint& r) {
-        return p.x * (q.y * r.w - r.y * q.w) + p.y * (r.x * q.w - q.x * r.w) + p.w * (q.x * r.y - r.x * q.y) > 0;
+    const auto turns_left = [](const HomogeneousPoint& p, const HomogeneousPoint& q,
+                               const HomogeneousPoint& r) {
+        return p.x * (q.y * r.w - r.y * q.w) + p.y * (r.x * q.w - q.x * r.w) + p.w * (q.x * r.y - r.x * q.y) >
+               0;
     };
     std::vector<const HomogeneousPoint*> ring;
     const auto add_chain = [&](auto from, auto to) {
@@ -291,7 +292,8 @@ ConvexPolygon Splitting::where_nearer(std::size_t other, std::size_t face) {
     const DepthPlane& u = faces_[other].depth;
     const DepthPlane& v = faces_[face].depth;
     int bits = 0;
-    for (const double value : {u.a, u.b, u.c, v.a, v.b, v.c}) bits = std::max(bits, bits_after_the_point(value));
+    for (const double value : {u.a, u.b, u.c, v.a, v.b, v.c})
+        bits = std::max(bits, bits_after_the_point(value));
     Line difference{scaled(u.a, bits) - scaled(v.a, bits), scaled(u.b, bits) - scaled(v.b, bits),
                     scaled(u.c, bits) - scaled(v.c, bits)};
     difference.c += difference.a * pixel_.x + difference.b * pixel_.y;
@@ -322,7 +324,7 @@ void Splitting::subtract(std::vector<ConvexPolygon>& pieces, const ConvexPolygon
             if (inside.empty()) break;
         }
         if (!inside.empty()) continue;  // hidden
-        left_over.resize(before);  // nothing of it is hidden: it stays whole
+        left_over.resize(before);       // nothing of it is hidden: it stays whole
         left_over.push_back(std::move(piece));
     }
     pieces = std::move(left_over);
@@ -338,9 +340,9 @@ mpq_class sum(std::span<const mpq_class> terms) {
 /// The area of all pieces together, in square pixels.
 ///
 /// Twice the area is the sum over all sides p q of the cross product p x q. Along a x + b y + c = 0 the side
-/// is q - p = t (b, -a), and p x q = c t: a difference of two values that belong to an end and its line. An end
-/// between two neighbouring pieces occurs with either sign and drops out. The ends left on a line are paired
-/// in any way, for the sum is the same; each pair gives one fraction.
+/// is q - p = t (b, -a), and p x q = c t: a difference of two values that belong to an end and its line. An
+/// end between two neighbouring pieces occurs with either sign and drops out. The ends left on a line are
+/// paired in any way, for the sum is the same; each pair gives one fraction.
 mpq_class Splitting::area(std::span<const ConvexPolygon> pieces) {
     struct End {
         const Line* line;
@@ -384,9 +386,8 @@ std::vector<std::size_t> Splitting::likely_hiding() const {
     std::vector<double> in_middle;
     for (const auto& [id, outline, depth] : faces_)
         in_middle.push_back(depth.a * (pixel_.x + 0.5) + depth.b * (pixel_.y + 0.5) + depth.c);
-    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
-        return std::isnan(in_middle[i]) ? 0 : in_middle[i];
-    });
+    std::ranges::stable_sort(order, std::greater<>(),
+                             [&](std::size_t i) { return std::isnan(in_middle[i]) ? 0 : in_middle[i]; });
     return order;
 }
 

@@ -85,7 +85,8 @@ WideInteger<N + M> operator*(const WideInteger<N>& a, const WideInteger<M>& b) {
         }
         result.limb[static_cast<std::size_t>(i + M)] = carry;
     }
-    // So far both were read as unsigned: a negative a counted as a + 2^(64 N), which gave b 2^(64 N) too much.
+    // So far both were read as unsigned: a negative a counted as a + 2^(64 N), which gave b 2^(64 N) too
+    // much.
     const auto take_from_limb = [&result](int from, const auto& number, int length) {
         std::uint64_t borrow = 0;
         for (int i = 0; i < length; ++i) {
