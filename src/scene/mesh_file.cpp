@@ -11,6 +11,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -200,6 +201,17 @@ void require_known_format(const std::filesystem::path& file) {
         throw InputError(file.string(), "", "not a mesh format that is read: .obj, .ply, .gltf or .glb");
 }
 
+/// Assimp 5.2 looks for the end of a PLY header for ever where there is none.
+void require_header_end(const std::filesystem::path& file) {
+    constexpr std::streamsize kLongestHeader = 1 << 20;
+    std::ifstream stream(file, std::ios::binary);
+    std::string start(static_cast<std::size_t>(kLongestHeader), '\0');
+    stream.read(start.data(), kLongestHeader);
+    start.resize(static_cast<std::size_t>(stream.gcount()));
+    if (start.compare(0, 3, "ply") == 0 && start.find("\nend_header") == std::string::npos)
+        throw InputError(file.string(), "", "its PLY header does not end");
+}
+
 void require_placement(const MeshPlacement& placement) {
     const glm::dvec3 p = placement.position_m;
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) ||
@@ -227,6 +239,7 @@ LoadedMesh read_mesh_file(const std::filesystem::path& file, const MeshPlacement
     require_placement(placement);
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) throw InputError(name, "", "no such file");
+    require_header_end(file);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(name, aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
