@@ -109,9 +109,7 @@ FaceNeighbours face_neighbours(const ProjectedFaces& faces, const std::vector<Fa
     const auto end_of = [&](const Edge& e) {
         return faces.points[e.place + 1 < faces.begin[e.face + 1] ? e.place + 1 : faces.begin[e.face]];
     };
-    std::uint32_t begin = 0;
-    for (std::size_t b = 0; b + 1 < bucket.size(); ++b) {
-        const std::uint32_t end = bucket[b];
+    const auto match_bucket = [&](std::uint32_t begin, std::uint32_t end) {
         for (std::uint32_t i = begin; i < end; ++i) {
             std::uint32_t same = 0, other = 0;
             for (std::uint32_t j = begin; j < end; ++j)
@@ -122,8 +120,10 @@ FaceNeighbours face_neighbours(const ProjectedFaces& faces, const std::vector<Fa
                 faces.points[mine.place] == end_of(theirs) && faces.points[theirs.place] == end_of(mine))
                 neighbours.across[mine.place] = theirs.face;
         }
-        begin = end;
-    }
+    };
+    parallel_ranges(bucket.size() - 1, 4096, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) match_bucket(b == 0 ? 0 : bucket[b - 1], bucket[b]);
+    });
     return neighbours;
 }
 

@@ -20,9 +20,10 @@ struct EdgeSide {
 
 /// The edge function is a (x - p.x) + b (y - p.y) with a = p.y - q.y, b = q.x - p.x, turned so that the
 /// inside is positive. p and q come tile-local; making them so, the differences, the products and the sums
-/// round at most six times on any term, so six u of the terms' sizes bound the error; eight are taken.
+/// round at most six times on any term, so six u of the terms' sizes bound the error; sixteen are taken, so
+/// that a bound on x may be worked out from the function as well (row_range).
 EdgeSide edge_side(Point p, Point q, double turn) {
-    constexpr double kEightRoundings = 8 * 0x1p-53;
+    constexpr double kRoundings = 16 * 0x1p-53;
     EdgeSide side;
     side.a = turn * (p.y - q.y);
     side.b = turn * (q.x - p.x);
@@ -30,8 +31,8 @@ EdgeSide edge_side(Point p, Point q, double turn) {
     // A tile-local coordinate of a pixel's corner is at most kTileSize. Localising p moved it by up to
     // u |p|, and its edge's direction by as much from both ends.
     const double reach = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + 2 * kTileSize;
-    const double error = kEightRoundings * (std::abs(side.a) + std::abs(side.b)) * reach +
-                         kEightRoundings * reach * (std::abs(p.x) + std::abs(p.y) + 2 * kTileSize);
+    const double error = kRoundings * (std::abs(side.a) + std::abs(side.b)) * reach +
+                         kRoundings * reach * (std::abs(p.x) + std::abs(p.y) + 2 * kTileSize);
     side.least = c + std::min(side.a, 0.0) + std::min(side.b, 0.0) - error;
     side.greatest = c + std::max(side.a, 0.0) + std::max(side.b, 0.0) + error;
     return side;
@@ -66,6 +67,23 @@ PixelRange pixels_met(double low, double high, int pixels) {
     return {first > 0 && first == from ? first - 1 : first, last + 1};
 }
 
+/// Of the pixels [xs.first, xs.end) of row y, those that no edge excludes on its own: where
+/// a x + (b y + greatest) >= 0 for every edge. The quotient rounds four times more than the function itself,
+/// which `greatest` allows for. `inverse` is -1/a for each edge.
+PixelRange row_range(std::span<const EdgeSide> sides, std::span<const double> inverse, PixelRange xs, int y) {
+    double low = xs.first, high = xs.end - 1;
+    for (std::size_t e = 0; e < sides.size(); ++e) {
+        const double bound = (sides[e].b * y + sides[e].greatest) * inverse[e];
+        if (sides[e].a > 0)
+            low = std::max(low, bound);
+        else if (sides[e].a < 0)
+            high = std::min(high, bound);
+    }
+    if (!(low <= high)) return {};
+    const int first = static_cast<int>(low);
+    return {first < low ? first + 1 : first, static_cast<int>(high) + 1};
+}
+
 }  // namespace
 
 void TileCandidates::add(Candidate candidate) {
@@ -90,8 +108,11 @@ void TileCandidates::look_at_convex(const FaceView& face, const FaceFacts& facts
     const EdgeSide w = nearness_side(face.depth, x_, y_);
     const PixelRange xs = pixels_met(facts.left - x_, facts.right - x_, columns_);
     const PixelRange ys = pixels_met(facts.top - y_, facts.bottom - y_, rows_);
+    std::array<double, FaceFacts::kMostEdges> inverse;
+    for (std::size_t e = 0; e < n; ++e) inverse[e] = -1 / side[e].a;
     for (int y = ys.first; y < ys.end; ++y) {
-        for (int x = xs.first; x < xs.end; ++x) {
+        const PixelRange row = row_range(std::span(side).first(n), std::span(inverse).first(n), xs, y);
+        for (int x = row.first; x < row.end; ++x) {
             unsigned inside = 0;
             bool met = true;
             for (std::size_t e = 0; e < n; ++e) {

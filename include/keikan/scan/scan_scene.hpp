@@ -11,7 +11,10 @@ namespace keikan {
 /// Which pixels get the exact division (paper 2.1).
 enum class Extraction {
     Outline,  ///< every pixel in which more than one face, or a face and the background, can be seen
-    Paper,    ///< pixels met by an outline of a conductor, or by a near-horizontal edge of anything else
+    /// Pixels met by an outline of a conductor, or by a near-horizontal edge of anything else. Edges count of
+    /// faces that may be seen there, that is, all but those behind a face that covers the pixel. In any other
+    /// pixel the lengths along the scanline through its centre are the weights.
+    Paper,
 };
 
 struct ScanOptions {
