@@ -94,6 +94,15 @@ TEST_CASE("read_scene: another size keeps the field of view across", "[scene][re
     CHECK(glm::length(a - b) < 1e-12);
 }
 
+TEST_CASE("read_scene: the smallest scene of docs/scene.md is one", "[scene][read]") {
+    std::ifstream in(std::filesystem::path(KEIKAN_SOURCE_DIR) / "docs/scene.md");
+    const std::string page{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const std::size_t from = page.find("```json\n") + 8;
+    json document = json::parse(page.substr(from, page.find("```", from) - from));
+    document["terrain"]["grid"] = (kData / "terrain/hill.png").string();
+    CHECK(read(document).camera.position.z > 40);
+}
+
 TEST_CASE("read_scene: three ways to state the same lens", "[scene][camera]") {
     const double half = std::atan(0.5) * 180 / 3.141592653589793;
     for (const auto& [key, value] : {std::pair("focal_length_35mm", 36.0), {"horizontal_fov_deg", 2 * half},
