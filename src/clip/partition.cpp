@@ -139,16 +139,19 @@ Partition::Relation Partition::relation_to(std::uint32_t label) {
 template <class Cut>
 bool Partition::keep_inside(Current& current, const Cut& cut) {
     const std::size_t n = current.size;
+    if (side_.size() < n) side_.resize(2 * n);
     const Sides sides = sides_of(cut, current.ring, n, side_.data());
     if (sides.inside == 0) return false;
     if (sides.outside == 0) return true;
-    Point* const inside = current.free_buffer;
-    const SplitSizes size = split(cut, sides, current.ring, side_.data(), n, inside, points_.data() + used_);
+    // carve has made room; more is needed only for a ring that rounding has bent in many places.
+    std::vector<Point>& inside = buffer_[current.free_buffer];
+    if (inside.size() < 2 * n) inside.resize(4 * n);
+    reserve_points(2 * n);
+    const SplitSizes size =
+        split(cut, sides, current.ring, side_.data(), n, inside.data(), points_.data() + used_);
     pending_.push_back({static_cast<std::uint32_t>(used_), static_cast<std::uint32_t>(size.outside)});
     used_ += size.outside;
-    std::swap(current.free_buffer, current.other_buffer);
-    current.ring = inside;
-    current.size = size.inside;
+    current = {inside.data(), size.inside, 1 - current.free_buffer};
     return true;
 }
 
@@ -156,16 +159,12 @@ bool Partition::keep_inside(Current& current, const Cut& cut) {
 bool Partition::find_reaching_cuts(std::uint32_t cell) {
     const Range whole = ring_[cell];
     const Point* const ring = points_.data() + whole.begin;
-    // Room for what may come: a cut adds two corners to a ring, and twice if rounding has bent it.
-    const std::size_t longest = 2 * (whole.size + 2 * cuts_.size() + 4);
-    if (side_.size() < longest) side_.resize(2 * longest), buffer_.resize(4 * longest);
     reaching_.clear();
     for (std::uint32_t k = 0; k < cuts_.size(); ++k) {
         const Reach reach = reach_of(cuts_[k], ring, whole.size);
         if (!reach.inside) return false;
         if (reach.outside) reaching_.push_back(k);
     }
-    reserve_points((reaching_.size() + 2) * longest);
     return true;
 }
 
@@ -176,8 +175,8 @@ void Partition::carve(std::uint32_t cell) {
     const Relation relation = relation_to(label);
     if (relation == Relation::Behind) return;
     const Range whole = ring_[cell];
-    Current current{points_.data() + whole.begin, whole.size, buffer_.data(),
-                    buffer_.data() + buffer_.size() / 2};
+    reserve_points(2 * whole.size);  // now, since the first cut reads from the pool that it writes to
+    Current current{points_.data() + whole.begin, whole.size};
     const std::size_t used_before = used_;
     pending_.clear();
     for (const std::uint32_t k : reaching_) {
@@ -200,6 +199,7 @@ void Partition::carve(std::uint32_t cell) {
     if (pending_.empty()) {
         label_[cell] = who_;
     } else {
+        reserve_points(current.size);
         std::copy_n(current.ring, current.size, points_.data() + used_);
         set_cell(cell, {static_cast<std::uint32_t>(used_), static_cast<std::uint32_t>(current.size)}, who_);
         used_ += current.size;

@@ -42,12 +42,11 @@ class Partition {
         std::uint32_t begin = 0;
         std::uint32_t size = 0;
     };
-    /// A ring on its way through the cuts: first a cell's, then in one or the other buffer.
+    /// A ring on its way through the cuts: first a cell's, then in one or the other of buffer_.
     struct Current {
         const Point* ring;
         std::size_t size;
-        Point* free_buffer;
-        Point* other_buffer;
+        unsigned free_buffer = 0;
     };
 
     void cuts_of(const Entrant& face);
@@ -89,7 +88,7 @@ class Partition {
     std::vector<Relation> relation_;              ///< to each other face
     std::vector<NearnessDifference> difference_;  ///< from each other face, where Mixed
     std::vector<Range> pending_;                  ///< parts of the cell at hand that stay outside
-    std::vector<Point> buffer_;
+    std::vector<Point> buffer_[2];
     std::vector<double> side_;
 };
 
