@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "check_contacts.hpp"
 #include "keikan/cases/pixel_case_file.hpp"
 #include "keikan/clip/visible_areas.hpp"
 #include "keikan/support/parallel.hpp"
@@ -18,6 +19,7 @@ struct Working {
     explicit Working(Engine engine) : product(engine) {}
     VisibleAreas product;
     PixelComparison compare;
+    ContactCheck contacts;
 };
 
 PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options,
@@ -36,6 +38,7 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
     const bool answered = pixel_case.areas || pixel_case.background;
     PixelVerdict verdict = working.compare({pixel_case.pixel, faces, pixel_case.nearness()}, claim, proofs,
                                            answered ? &given : nullptr);
+    if (options.contacts) working.contacts({pixel_case.pixel, faces, pixel_case.nearness()}, verdict);
     verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
     for (Disagreement& d : verdict.disagreements) d.case_id = pixel_case.id;
     return verdict;

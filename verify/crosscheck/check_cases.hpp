@@ -12,6 +12,7 @@ namespace keikan::crosscheck {
 
 struct CaseCheckOptions {
     Engine engine = Engine::Splitting;
+    bool contacts = true;    ///< classify every contact of the paper's clipper too
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// So many cases at the start of each file are put to every rung; after them one in so many.
     std::uint64_t all_rungs_for_first = 256;

@@ -66,6 +66,7 @@ void CheckSummary::add(const PixelVerdict& verdict, PixelIndex pixel, const std:
         max_area_error_to_8_faces = std::max(max_area_error_to_8_faces, verdict.area_error);
     max_sum_error = std::max(max_sum_error, verdict.sum_error);
     rungs += verdict.rungs;
+    contacts += verdict.contacts;
     const double error = std::max(verdict.area_error, verdict.sum_error);
     if (worst.size() < kWorstKept || error > worst.back().error) {
         worst.push_back({pixel, case_id, error});
@@ -86,6 +87,7 @@ CheckSummary& CheckSummary::operator+=(const CheckSummary& later) {
     max_area_error_to_8_faces = std::max(max_area_error_to_8_faces, later.max_area_error_to_8_faces);
     max_sum_error = std::max(max_sum_error, later.max_sum_error);
     rungs += later.rungs;
+    contacts += later.contacts;
     worst.insert(worst.end(), later.worst.begin(), later.worst.end());
     keep_worst(worst);
     for (const Disagreement& d : later.disagreements)
@@ -101,8 +103,10 @@ std::string summary_json(const CheckSummary& summary, const UnflaggedErrors* unf
               {"max_area_error", finite(summary.max_area_error)},
               {"max_area_error_to_8_faces", finite(summary.max_area_error_to_8_faces)},
               {"max_sum_error", finite(summary.max_sum_error)},
-              // Intersection classes are not compared yet: none are checked, and that is what is reported.
-              {"classification", {{"checked", 0}, {"mismatches", 0}}},
+              {"classification",
+               {{"checked", summary.contacts.checked},
+                {"mismatches", summary.contacts.mismatches},
+                {"folds", summary.contacts.folds}}},
               {"oracle",
                {{"cgal", summary.rungs.cgal},
                 {"rational", summary.rungs.rational},

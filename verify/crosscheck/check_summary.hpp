@@ -40,6 +40,7 @@ struct CheckSummary {
     double max_area_error_to_8_faces = 0;  ///< over the pixels that kVisibleAreaError applies to
     double max_sum_error = 0;
     RungCounts rungs;
+    ContactCounts contacts;
     std::vector<WorstPixel> worst;  ///< by falling error, then as they came
     std::uint64_t disagreement_count = 0;
     std::vector<Disagreement> disagreements;  ///< the first ones

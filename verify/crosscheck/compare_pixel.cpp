@@ -114,6 +114,13 @@ RungCounts& RungCounts::operator+=(const RungCounts& other) {
     return *this;
 }
 
+ContactCounts& ContactCounts::operator+=(const ContactCounts& other) {
+    checked += other.checked;
+    mismatches += other.mismatches;
+    folds += other.folds;
+    return *this;
+}
+
 double excess_of_sum(const Claim& claim) {
     // Neumaier's sum: what each addition rounds away is kept and added at the end.
     double sum = -1, lost = 0;

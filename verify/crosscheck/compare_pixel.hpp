@@ -60,11 +60,21 @@ struct RungCounts {
     friend bool operator==(const RungCounts&, const RungCounts&) = default;
 };
 
+/// Contacts of the paper's clipper, against exact classification (ContactCheck).
+struct ContactCounts {
+    std::uint64_t checked = 0;
+    std::uint64_t mismatches = 0;  ///< clip steps in which any contact differs
+    std::uint64_t folds = 0;       ///< ClipStatistics::folds
+    ContactCounts& operator+=(const ContactCounts& other);
+    friend bool operator==(const ContactCounts&, const ContactCounts&) = default;
+};
+
 struct PixelVerdict {
     std::size_t faces = 0;  ///< that were asked about: they choose the bounds
     double area_error = 0;  ///< the largest |claimed - exact| of faces and background is at most this
     double sum_error = 0;   ///< |areas + background - 1|
     RungCounts rungs;
+    ContactCounts contacts;
     std::vector<Disagreement> disagreements;
 };
 

@@ -19,6 +19,8 @@ const char* name_of(Disagreement::Kind kind) {
             return "attributes";
         case Disagreement::Kind::Given:
             return "given";
+        case Disagreement::Kind::Contact:
+            return "contact";
         case Disagreement::Kind::Rungs:
             return "rungs";
     }

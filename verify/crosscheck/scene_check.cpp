@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "check_contacts.hpp"
 #include "claimed_row.hpp"
 #include "error_bounds.hpp"
 #include "keikan/support/check.hpp"
@@ -99,6 +100,7 @@ class SceneCheck::RowCheck {
         const Claim claim = claim_for(pixel, claimed, faults);
         PixelVerdict verdict = compare_({pixel, views_, Nearness::ByDepth}, claim, proofs);
         verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
+        if (check_.options_.contacts) contacts_({pixel, views_, Nearness::ByDepth}, verdict);
         confirmed_ += !verdict.disagreements.empty();
         return verdict;
     }
@@ -140,6 +142,7 @@ class SceneCheck::RowCheck {
     ClaimedRow claimed_;
     FaceBins::Row row_;
     PixelComparison compare_;
+    ContactCheck contacts_;
     std::optional<VisibleAreas> engine_;
     CertainHiding::Remaining remaining_;
     std::vector<std::uint32_t> asked_;

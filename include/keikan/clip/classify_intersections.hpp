@@ -26,7 +26,8 @@ namespace keikan {
 ///           (where rounding made it so) cross itself. `clip`: exactly strictly convex, turning from +x
 ///           towards +y. Finite coordinates.
 /// Exact:    everything but the point of EdgeEdge: every choice is the sign of an orient2d of given points.
-/// Error:    an EdgeEdge point is off by at most kCrossingError times the extent of the subject's edge.
+/// Error:    an EdgeEdge point is within kCrossingError times the extent of the subject's edge of both edges' lines
+///           (along nearly parallel edges it may be further from the exact crossing).
 /// Cost:     subject.size() * clip.size() orientations.
 /// Paper:    section 3.2.1, Fig. 4 (a) to (e). Departure D1: case (4) follows the rule of (1) to (3).
 /// Checked:  every contact of every clip step, by verify/oracle/exact_intersections.

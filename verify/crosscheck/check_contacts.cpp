@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_contacts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "keikan/clip/visible_areas.hpp"
+#include "oracle/exact_intersections.hpp"
+
+namespace keikan::crosscheck {
+namespace {
+
+std::string text_of(const Contact& contact) {
+    constexpr const char* kClasses[] = {"edge-edge", "subject-vertex", "clip-vertex", "shared-vertex"};
+    constexpr const char* kTurns[] = {"enter", "leave", "touch"};
+    return fmt::format("{} {} at subject {}, clip {}", kClasses[static_cast<int>(contact.kind)],
+                       kTurns[static_cast<int>(contact.turn)], contact.subject, contact.clip);
+}
+
+bool same(const Contact& a, const Contact& b) {
+    return a.kind == b.kind && a.turn == b.turn && a.subject == b.subject && a.clip == b.clip;
+}
+
+}  // namespace
+
+std::optional<std::string> contact_mismatch(const ClipStep& step, std::span<const Contact> exact) {
+    const std::size_t both = std::min(step.contacts.size(), exact.size());
+    for (std::size_t i = 0; i < both; ++i)
+        if (!same(step.contacts[i], exact[i]))
+            return fmt::format("contact {}: {}, exactly {}", i, text_of(step.contacts[i]), text_of(exact[i]));
+    if (step.contacts.size() != exact.size())
+        return fmt::format("{} contacts, exactly {}", step.contacts.size(), exact.size());
+    return std::nullopt;
+}
+
+struct ContactCheck::Working {
+    VisibleAreas traversal{Engine::Traversal};
+    PixelIndex pixel;
+    PixelVerdict* verdict = nullptr;
+
+    Working() {
+        traversal.observe([this](const ClipStep& step) { check(step); });
+    }
+
+    void check(const ClipStep& step) {
+        const std::vector<Contact> exact = oracle::exact_intersections(step.subject, step.clip);
+        verdict->contacts.checked += exact.size();
+        if (const auto mismatch = contact_mismatch(step, exact)) {
+            ++verdict->contacts.mismatches;
+            verdict->disagreements.push_back(
+                {.kind = Disagreement::Kind::Contact, .pixel = pixel, .note = *mismatch});
+        }
+    }
+};
+
+ContactCheck::ContactCheck() : working_(std::make_unique<Working>()) {}
+ContactCheck::~ContactCheck() = default;
+ContactCheck::ContactCheck(ContactCheck&&) noexcept = default;
+ContactCheck& ContactCheck::operator=(ContactCheck&&) noexcept = default;
+
+void ContactCheck::operator()(const Question& question, PixelVerdict& verdict) {
+    working_->pixel = question.pixel;
+    working_->verdict = &verdict;
+    const std::uint64_t folds = working_->traversal.statistics().folds;
+    working_->traversal(question.pixel, question.faces, question.nearness);
+    verdict.contacts.folds += working_->traversal.statistics().folds - folds;
+}
+
+}  // namespace keikan::crosscheck
