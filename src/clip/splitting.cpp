@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace keikan::clip {
+namespace {
+
+constexpr Point kPixelRing[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+}  // namespace
 
 double Splitting::measure(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness,
                           Entrants& entrants, std::vector<Measure>& measures) {
@@ -30,9 +35,16 @@ double Splitting::measure(PixelIndex pixel, std::span<const FaceView> faces, Nea
 
     measures.assign(entrants.faces.size(), {});
     Measure free;
+    const std::uint32_t first_label = partition_.label(0);
+    bool single = true;
     for (std::size_t i = 0; i < partition_.size(); ++i) {
         const std::uint32_t label = partition_.label(i);
         (label == Partition::kFree ? free : measures[label]).add(partition_.ring(i));
+        single = single && label == first_label;
+    }
+    if (single && first_label != Partition::kFree) {  // all cells together are the pixel, without rounding
+        measures[first_label] = {};
+        measures[first_label].add(kPixelRing);
     }
     if (first_alone_ == entrants.faces.size()) return std::clamp(free.area.value(), 0.0, 1.0);
 

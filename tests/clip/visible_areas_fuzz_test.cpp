@@ -24,31 +24,36 @@ struct Worst {
     double area = 0, sum = 0;
 };
 
+/// The errors of one pixel.
+Worst errors_of(VisibleAreas& visible_areas, const PixelCase& pixel_case) {
+    const std::vector<FaceView> faces = pixel_case.faces();
+    const PixelCoverage seen = visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
+    const auto truth =
+        ExactReference<Rational>::visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
+    Rational exact_sum = truth.background;
+    for (const Rational& area : truth.areas) exact_sum += area;
+    REQUIRE(exact_sum == 1);
+    std::vector<double> areas(faces.size());
+    double sum = seen.background;
+    for (const VisiblePart& part : seen.parts) {
+        areas[part.face] = part.area;
+        sum += part.area;
+    }
+    double error = distance(seen.background, truth.background);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        error = std::max(error, distance(areas[i], truth.areas[i]));
+    return {error, std::abs(sum - 1)};
+}
+
 /// The largest errors over `count` pixels of a family.
 Worst worst_of(const Family& family, std::uint64_t seed, int count, bool with_depth) {
     Worst worst;
     VisibleAreas visible_areas;
     Dice dice(seed);
     for (int k = 0; k < count; ++k) {
-        const PixelCase pixel_case = random_pixel(family, dice, with_depth);
-        const std::vector<FaceView> faces = pixel_case.faces();
-        const PixelCoverage seen = visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
-        const auto truth =
-            ExactReference<Rational>::visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
-        Rational exact_sum = truth.background;
-        for (const Rational& area : truth.areas) exact_sum += area;
-        REQUIRE(exact_sum == 1);
-        std::vector<double> areas(faces.size());
-        double sum = seen.background;
-        for (const VisiblePart& part : seen.parts) {
-            areas[part.face] = part.area;
-            sum += part.area;
-        }
-        double error = distance(seen.background, truth.background);
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            error = std::max(error, distance(areas[i], truth.areas[i]));
-        worst.area = std::max(worst.area, error);
-        worst.sum = std::max(worst.sum, std::abs(sum - 1));
+        const Worst errors = errors_of(visible_areas, random_pixel(family, dice, with_depth));
+        worst.area = std::max(worst.area, errors.area);
+        worst.sum = std::max(worst.sum, errors.sum);
     }
     return worst;
 }
@@ -70,4 +75,21 @@ TEST_CASE("visible_areas: every area is within its bound of the exact one, in ev
             CHECK(worst.sum <= kAreaSumError);
         }
     }
+}
+
+TEST_CASE("visible_areas: faces of 150 corners, more than one word of bits, are divided as exactly as others",
+          "[clip][degenerate]") {
+    PixelCase pixel_case;
+    for (const Point centre : {Point{0.4, 0.5}, Point{0.6, 0.5}}) {
+        Ring ring;
+        for (int i = 0; i < 150; ++i) {
+            const double angle = i * 2 * 3.14159265358979 / 150;
+            ring.push_back({centre.x + 0.35 * std::cos(angle), centre.y + 0.35 * std::sin(angle)});
+        }
+        pixel_case.polygons.push_back(ring);
+    }
+    VisibleAreas visible_areas;
+    CHECK(errors_of(visible_areas, pixel_case).area <= kVisibleAreaError);
+    pixel_case.depth = {{1, 0, 0}, {0, 0.1, 0.5}};
+    CHECK(errors_of(visible_areas, pixel_case).area <= kVisibleAreaError);
 }

@@ -108,6 +108,19 @@ TEST_CASE("visible_areas: a face over the whole pixel has area 1 and its centre 
     }
 }
 
+TEST_CASE("visible_areas: a face hidden behind one over the whole pixel takes nothing from it, exactly",
+          "[clip][depth]") {
+    // The triangle's plane reaches nearer than the square's, but not where the triangle is.
+    const Answer seen =
+        ask({Ring{{0.1, 0.1}, {0.9, 0.2}, {0.3, 0.7}}, Ring{{-1, -1}, {3, -1}, {-1, 3}}, kPixel},
+            {{{0, 0, 1}, {1, 1, 1.5}, {0, 0, 1}}});
+    REQUIRE(seen.parts.size() == 1);
+    CHECK(seen.parts[0].face == 1);
+    CHECK(seen.parts[0].area == 1);
+    CHECK(seen.parts[0].centroid == Point{0.5, 0.5});
+    CHECK(seen.background == 0);
+}
+
 TEST_CASE("visible_areas: a wire a sixteenth of a pixel thick covers a sixteenth", "[clip][wire]") {
     const Answer seen = ask({Ring{{-100, 0.25}, {100, 0.25}, {100, 0.3125}, {-100, 0.3125}}});
     REQUIRE(seen.parts.size() == 1);
