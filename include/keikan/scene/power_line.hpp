@@ -87,21 +87,22 @@ using GroundHeight = std::function<double(double x_m, double y_m)>;
 ///   "<name>/tower 3"                          Tower       steel and foundations
 ///   "<name>/tower 3 insulators"               Insulator
 ///   "<name>/span 3-4 circuit 1 phase 2"       Conductor   all sub-conductors; prisms, closed
-///   "<name>/span 3-4 circuit 1 phase 2 far"   Conductor   ribbons, open; either of the two is left out if
-///   empty
+///   "<name>/span 3-4 circuit 1 phase 2 far"   Conductor   ribbons, open
 ///   "<name>/span 3-4 ground wire 1"           Conductor   likewise
 ///   "<name>/span 3-4 spacers"                 Insulator
+/// An object without faces is left out.
 ///
 /// Properties:
 ///   (1) Every face is convex and its corners are within kPlanarity of one plane; prisms are closed.
-///   (2) A prism's sections lie in vertical planes across the span, so that its sides are parallelograms and
-///       neighbouring pieces of a wire end in the same plane, whatever their levels.
+///   (2) Segments are mitred: neighbours share their vertices (the same index) and every side is parallel to
+///   its
+///       segment. Where the level changes, or a prism is turned anew, both sides end in the mitre's plane.
 ///   (3) The thickness seen is the true one within kThicknessError, however small it is on the screen.
-///   (4) A wire's axis ends at the towers' attachment points (sub-conductors: around them), bit for bit.
+///   (4) A wire's axis ends at the towers' attachment points; the axes of a bundle end around them.
 ///
 /// Errors: InputError (reason only; the caller knows the place) for a design out of range, towers that stand
-/// on
-///         the same spot, ground that falls too steeply for legs, or ground without a height (NaN).
+///         on the same spot, a route that turns by more than 120 degrees, ground that falls too steeply for
+///         legs, or ground without a height (NaN).
 PowerLine build_power_line(const PowerLineDesign& design, const GroundHeight& ground, const Camera& camera);
 
 /// A wire as polygons: a prism with so many sides, or a ribbon that faces the viewer.
@@ -111,15 +112,17 @@ struct WireLevel {
 };
 inline constexpr std::array<WireLevel, 5> kWireLevels{{{12, 8.0}, {8, 4.0}, {6, 2.0}, {4, 1.0}, {0, 0.0}}};
 
-/// Chords stay within this of the catenary, in pixels at the segment's nearest point (or 1 mm if nearer than
-/// that).
+/// Chords stay within this of the catenary, in pixels at the segment's nearest point (no nearer than 1 m),
+/// wherever in the picture that is.
 inline constexpr double kChordErrorPx = 0.01;
 
-/// Relative error of the thickness seen. A piece of wire is turned anew where the direction of view changes by
-/// more than 10 degrees around it (cos 10 deg = 0.985), and where its slope does by more than 2.5 degrees from
-/// the slope that its sections were made for (up to a slope of 30 degrees: 0.6 * 2.5 deg = 0.025 of the
-/// vertical extent, half of which is seen). A ribbon's corners deviate by less.
-inline constexpr double kThicknessError = 0.03;
+/// Relative error of the thickness seen. A prism shows its full diameter across the direction that it was
+/// turned to, and is turned anew after kPrismTurn: cos 10 deg = 0.985; a ribbon after kRibbonTurn: cos 2.5
+/// deg = 0.999. What the eye's direction turns about the wire inside one segment, at most kPrismTurn, comes
+/// on top by half.
+inline constexpr double kThicknessError = 0.04;
+inline constexpr double kPrismTurn = 0.1745;   ///< rad: 10 degrees
+inline constexpr double kRibbonTurn = 0.0436;  ///< rad: 2.5 degrees
 
 /// Towers whose legs are at least this thick on the screen are drawn as angle steel rather than boxes.
 inline constexpr double kAngleWidthPx = 4;
