@@ -38,7 +38,9 @@ void append_answer(std::string& out, const PixelCase& question, VisibleAreas& vi
 /// Answers questions in pieces of the list, side by side, each piece with its own working memory.
 class Answers {
   public:
-    Answers() : engines_(4 * static_cast<std::size_t>(thread_count())), texts_(engines_.size()) {}
+    explicit Answers(Engine engine) : texts_(4 * static_cast<std::size_t>(thread_count())) {
+        for (std::size_t i = 0; i < texts_.size(); ++i) engines_.emplace_back(engine);
+    }
 
     /// The answers as text, in the order of the questions.
     const std::vector<std::string>& to(const std::vector<PixelCase>& questions) {
@@ -58,13 +60,12 @@ class Answers {
 };
 
 void areas(const AreasCommand& command, const CommonOptions& common) {
-    require_engine(command.engine);
     const ThreadLimit threads(common.threads);
     constexpr std::size_t kMostAtOnce = 1024;
     InputStream in(command.file);
     PixelCaseReader reader(in, in.name());
     AtomicFile out("-");
-    Answers answers;
+    Answers answers(engine_of(command.engine));
     std::vector<PixelCase> questions;
     std::exception_ptr bad_line;
     for (bool more = true; more;) {
@@ -92,7 +93,7 @@ void add_areas_command(CLI::App& app, const CommonOptions& common) {
     auto* const sub = app.add_subcommand("areas", "Visible areas of pixel cases (docs/cases.md), a line of JSON each");
     const auto command = std::make_shared<AreasCommand>();
     sub->add_option("FILE", command->file, "Pixel cases, or - for standard input")->capture_default_str();
-    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    sub->add_option("--engine", command->engine, "splitting, traversal, published")->capture_default_str();
     sub->callback([command, &common] { areas(*command, common); });
 }
 

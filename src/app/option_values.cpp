@@ -51,6 +51,13 @@ Extraction extraction_of(const std::string& text) {
     throw InputError("--extract: '" + text + "' is neither 'outline' nor 'paper'");
 }
 
+Engine engine_of(const std::string& engine) {
+    if (engine == "splitting") return Engine::Splitting;
+    if (engine == "traversal") return Engine::Traversal;
+    if (engine == "published") return Engine::Published;
+    throw InputError("--engine " + engine + ": there are only: splitting, traversal, published");
+}
+
 void require_engine(const std::string& engine) {
     if (engine != "splitting") throw InputError("--engine: '" + engine + "' is not available; 'splitting' is");
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "keikan/clip/visible_areas.hpp"
 #include "keikan/model/pixel.hpp"
 #include "keikan/scan/scan_scene.hpp"
 
@@ -18,7 +19,10 @@ PixelIndex pixel_of(const std::string& text, ImageSize size);
 /// "outline" or "paper". Errors: InputError.
 Extraction extraction_of(const std::string& text);
 
-/// Refuses what is not built: engines other than "splitting", methods other than "kato". Errors: InputError.
+/// "splitting", "traversal" or "published", for single pixels. Errors: InputError.
+Engine engine_of(const std::string& engine);
+
+/// For pictures: refuses what is not built: engines other than "splitting", methods other than "kato". Errors: InputError.
 void require_engine(const std::string& engine);
 void require_method(const std::string& method);
 
