@@ -2,6 +2,7 @@
 #include "point_shader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -32,17 +33,12 @@ float steep_share(const HeightSlopeRamp& ramp, float normal_z) {
     return (slope_deg - ramp.steep_from_deg) / (ramp.steep_full_deg - ramp.steep_from_deg);
 }
 
-glm::vec3 unit_normal(const SeenFace& face, double x, double y) {
-    const auto dx = static_cast<float>(x - face.normal_at.x), dy = static_cast<float>(y - face.normal_at.y);
-    glm::vec3 n;
-    for (int k = 0; k < 3; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        n[k] = face.normal[0][i] + face.normal[1][i] * dx + face.normal[2][i] * dy;
-    }
+glm::vec3 vector_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+/// `n` at unit length; vertex normals that cancel out leave the plane's own.
+glm::vec3 unit_or_flat(const glm::vec3& n, const SeenFace& face) {
     const float length = std::sqrt(glm::dot(n, n));
-    if (length > 0) return n / length;
-    // Vertex normals that cancel out leave the plane's own.
-    return {face.flat_normal[0], face.flat_normal[1], face.flat_normal[2]};
+    return length > 0 ? (1 / length) * n : vector_of(face.flat_normal);
 }
 
 }  // namespace
@@ -51,9 +47,11 @@ PointShader::PointShader(const Scene& scene)
     : scene_(scene),
       camera_(scene.camera),
       perspective_(camera_.kind == Camera::Kind::Perspective),
+      forward_(camera_.forward),
       step_right_(camera_.right / camera_.focal_px),
       step_down_(camera_.down / camera_.focal_px),
       to_sun_(scene.light.to_sun),
+      sky_over_ground_(scene.light.sky_ambient + -1.0f * scene.light.ground_ambient),
       haze_per_m_(scene.haze.range_m > 0 ? 1 / scene.haze.range_m : 0) {}
 
 double PointShader::depth(const SeenFace& face, double x, double y) const {
@@ -62,49 +60,64 @@ double PointShader::depth(const SeenFace& face, double x, double y) const {
     return w * kFarthest_m > 1 ? 1 / w : kFarthest_m;
 }
 
-Rgb PointShader::albedo(const Material& material, const SeenFace& face, double x, double y, double depth_m) const {
-    if (!material.ramp) return material.colour;
-    const HeightSlopeRamp& ramp = *material.ramp;
-    const float steep = steep_share(ramp, face.flat_normal[2]);
-    if (steep >= 1) return ramp.steep;
-    // The z of Camera::world_point, which is all that the ramp looks at.
-    const double height_m =
-        perspective_ ? camera_.position.z + depth_m * ray(x, y).z
-                     : camera_.world_point(x, y, camera_.nearness_at(depth_m)).z;
-    return mix(ramp_colour(ramp, static_cast<float>(height_m)), ramp.steep, steep);
+double PointShader::height_m(double x, double y, double depth_m, const glm::vec3& towards) const {
+    if (!perspective_) return camera_.world_point(x, y, camera_.nearness_at(depth_m)).z;
+    return camera_.position.z + depth_m * static_cast<double>(towards.z);
 }
 
-Rgb PointShader::face_colour(const SeenFace& face, double x, double y) const {
-    const Material& material = scene_.materials[face.material];
-    const Light& light = scene_.light;
-    const double depth_m = depth(face, x, y);
-    const glm::vec3 towards = ray(x, y);
-    const float ray_length = std::sqrt(glm::dot(towards, towards));
-    const glm::vec3 n = unit_normal(face, x, y);
-    const Rgb own = albedo(material, face, x, y, depth_m);
-
-    const Rgb ambient = mix(light.ground_ambient, light.sky_ambient, (1 + n.z) / 2);
-    Rgb colour = ambient * own;
-    const float facing = glm::dot(n, to_sun_);
-    if (facing > 0) {
-        colour = colour + (material.diffuse * facing) * (light.sun * own);
-        if (material.specular > 0) {
-            const glm::vec3 mirrored = 2 * facing * n - to_sun_;
-            const float along = -glm::dot(mirrored, towards) / ray_length;
-            if (along > 0) colour = colour + (material.specular * std::pow(along, material.exponent)) * light.sun;
-        }
-    }
-    if (haze_per_m_ > 0) {
-        const auto distances = static_cast<float>(depth_m * haze_per_m_) * (perspective_ ? ray_length : 1);
-        colour = mix(scene_.haze.colour, colour, std::exp(-distances));
-    }
-    return colour;
+Rgb PointShader::hazed(Rgb colour, double depth_m, float ray_length) const {
+    if (!(haze_per_m_ > 0)) return colour;
+    const float ranges = static_cast<float>(depth_m * haze_per_m_) * (perspective_ ? ray_length : 1);
+    return mix(scene_.haze.colour, colour, std::exp(-ranges));
 }
 
 Rgb PointShader::background_colour(double x, double y) const {
     const glm::vec3 towards = ray(x, y);
     const float rising = std::clamp(towards.z / std::sqrt(glm::dot(towards, towards)), 0.0f, 1.0f);
     return mix(scene_.background.horizon, scene_.background.zenith, rising);
+}
+
+FaceShader::FaceShader(const PointShader& shader, const SeenFace& face)
+    : all_(shader),
+      face_(face),
+      material_(shader.scene_.materials[face.material]),
+      steep_(material_.ramp ? steep_share(*material_.ramp, face.flat_normal[2]) : 0),
+      bends_(face.normal[1] != std::array<float, 3>{} || face.normal[2] != std::array<float, 3>{}),
+      normal_(bends_ ? glm::vec3(0) : unit_or_flat(vector_of(face.normal[0]), face)) {}
+
+glm::vec3 FaceShader::unit_normal(double x, double y) const {
+    if (!bends_) return normal_;
+    const auto dx = static_cast<float>(x - face_.normal_at.x), dy = static_cast<float>(y - face_.normal_at.y);
+    return unit_or_flat(
+        vector_of(face_.normal[0]) + dx * vector_of(face_.normal[1]) + dy * vector_of(face_.normal[2]), face_);
+}
+
+Rgb FaceShader::albedo(double x, double y, double depth_m, const glm::vec3& towards) const {
+    if (!material_.ramp) return material_.colour;
+    const HeightSlopeRamp& ramp = *material_.ramp;
+    if (steep_ >= 1) return ramp.steep;
+    const Rgb by_height = ramp_colour(ramp, static_cast<float>(all_.height_m(x, y, depth_m, towards)));
+    return steep_ > 0 ? mix(by_height, ramp.steep, steep_) : by_height;
+}
+
+Rgb FaceShader::colour(double x, double y) const {
+    const Light& light = all_.scene_.light;
+    const double depth_m = all_.depth(face_, x, y);
+    const glm::vec3 n = unit_normal(x, y);
+    const glm::vec3 towards = all_.ray(x, y);
+    const float ray_length = std::sqrt(glm::dot(towards, towards));
+    const Rgb own = albedo(x, y, depth_m, towards);
+
+    const Rgb ambient = light.ground_ambient + (0.5f + 0.5f * n.z) * all_.sky_over_ground_;
+    const float facing = glm::dot(n, all_.to_sun_);
+    if (facing <= 0) return all_.hazed(ambient * own, depth_m, ray_length);
+    Rgb colour = own * (ambient + (material_.diffuse * facing) * light.sun);
+    if (material_.specular > 0) {
+        const glm::vec3 mirrored = 2 * facing * n - all_.to_sun_;
+        const float along = -glm::dot(mirrored, towards) / ray_length;
+        if (along > 0) colour = colour + (material_.specular * std::pow(along, material_.exponent)) * light.sun;
+    }
+    return all_.hazed(colour, depth_m, ray_length);
 }
 
 }  // namespace keikan

@@ -30,20 +30,18 @@ class RowPainter {
 
     void paint(const Span& span) {
         const bool empty = span.face == Span::kBackground;
-        const double centre_y = y_ + 0.5;
-        for (int x = span.x_begin; x < span.x_end; ++x) {
-            colours_[static_cast<std::size_t>(x)] =
-                empty ? shader_.background_colour(x + 0.5, centre_y)
-                      : shader_.face_colour(band_.faces[span.face], x + 0.5, centre_y);
+        const auto row = colours_.subspan(static_cast<std::size_t>(span.x_begin),
+                                          static_cast<std::size_t>(span.x_end - span.x_begin));
+        double x = span.x_begin + 0.5;
+        if (empty) {
+            for (Rgb& colour : row) colour = shader_.background_colour(x++, y_ + 0.5);
+        } else {
+            const FaceShader face(shader_, band_.faces[span.face]);
+            for (Rgb& colour : row) colour = face.colour(x++, y_ + 0.5);
         }
         if (extra_ == nullptr) return;
-        for (int x = span.x_begin; x < span.x_end; ++x) {
-            if (empty) {
-                note(x, 1, nullptr, 0.5, 0.5, 0);
-            } else {
-                note(x, 0, &band_.faces[span.face], 0.5, 0.5, 0);
-            }
-        }
+        const SeenFace* const face = empty ? nullptr : &band_.faces[span.face];
+        for (int column = span.x_begin; column < span.x_end; ++column) note(column, empty ? 1 : 0, face, 0.5, 0.5, 0);
     }
 
     void paint(const DividedPixel& pixel) {
@@ -53,8 +51,8 @@ class RowPainter {
         const SeenPart* largest = nullptr;
         for (std::uint32_t i = pixel.part_begin; i < pixel.part_end; ++i) {
             const SeenPart& part = band_.parts[i];
-            mean.add(part.weight, shader_.face_colour(band_.faces[part.face], pixel.x + static_cast<double>(part.x),
-                                                      y_ + static_cast<double>(part.y)));
+            const FaceShader face(shader_, band_.faces[part.face]);
+            mean.add(part.weight, face.colour(pixel.x + static_cast<double>(part.x), y_ + static_cast<double>(part.y)));
             if (part.weight > (largest != nullptr ? largest->weight : 0)) largest = &part;
         }
         colours_[static_cast<std::size_t>(pixel.x)] = mean.colour();

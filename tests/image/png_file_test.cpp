@@ -61,7 +61,7 @@ TEST_CASE("write_png: half of linear light is sRGB code 188", "[image][png]") {
 
 TEST_CASE("write_png: the bytes do not depend on the number of threads", "[image][png]") {
     const ScratchFolder folder("png");
-    const Image<Rgb> image = speckles({64, 64});
+    const Image<Rgb> image = speckles({64, 200});  // more rows than are compressed in one piece
     std::string first;
     for (const int threads : {1, 2, 8}) {
         const ThreadLimit limit(threads);
@@ -70,6 +70,18 @@ TEST_CASE("write_png: the bytes do not depend on the number of threads", "[image
         if (first.empty()) first = bytes;
         CHECK(bytes == first);
     }
+    write_png(folder / "b.png", read_png(folder / "a.png"));
+    CHECK(contents(folder / "b.png") == first);
+}
+
+TEST_CASE("write_png: pictures of one pixel, one row and one column", "[image][png][degenerate]") {
+    const ScratchFolder folder("png");
+    for (const ImageSize size : {ImageSize{1, 1}, ImageSize{300, 1}, ImageSize{1, 300}}) {
+        write_png(folder / "a.png", speckles(size));
+        CHECK(read_png(folder / "a.png").size() == size);
+    }
+    CHECK_THROWS_AS(write_png(folder / "none.png", Image<Rgb>()), CheckFailure);
+    CHECK(folder.files() == 1);
 }
 
 TEST_CASE("write_png: a colour that is not a number is our mistake, and leaves no file", "[image][png]") {

@@ -41,6 +41,7 @@ TEST_CASE("SrgbCodes (1): a code begins exactly where the reference says, for ev
             // The codes never fall (limits rise and every value lies between its two), so that both sides
             // of each limit stand for all floats.
             if (codes(first) != k || codes(std::nextafter(first, 0.0f)) != k - 1) ++wrong;
+            if (bits == 8 && (codes.eight(first) != k || codes.eight(std::nextafter(first, 0.0f)) != k - 1)) ++wrong;
             if (codes.limits()[static_cast<std::size_t>(k)] != first) ++wrong;
         }
         CHECK(wrong == 0);
@@ -52,6 +53,10 @@ TEST_CASE("SrgbCodes: what lies outside of [0, 1] takes the nearer end", "[image
     for (const int bits : {8, 16}) {
         const SrgbCodes& codes = SrgbCodes::of_bits(bits);
         const int max = (1 << bits) - 1;
+        if (bits == 8) {
+            for (const float x : {0.0f, -1.0f, -kInfinity, 1e-45f}) CHECK(codes.eight(x) == 0);
+            for (const float x : {1.0f, 1.5f, kInfinity}) CHECK(codes.eight(x) == 255);
+        }
         for (const float x : {0.0f, -0.0f, -1.0f, -kInfinity, 1e-45f, 1e-20f}) CHECK(codes(x) == 0);
         for (const float x : {1.0f, 1.5f, 3e38f, kInfinity}) CHECK(codes(x) == max);
     }

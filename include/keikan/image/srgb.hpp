@@ -36,6 +36,15 @@ class SrgbCodes {
         return static_cast<std::uint16_t>(code);
     }
 
+    /// The same for codes of 8 bits, faster: a table and one comparison. Requires: made of 8 bits.
+    std::uint8_t eight(float x) const {
+        x = x > kFirst ? x : kFirst;
+        x = x < kLast ? x : kLast;
+        const std::uint32_t bits = std::bit_cast<std::uint32_t>(x) - std::bit_cast<std::uint32_t>(kFirst);
+        const std::uint32_t code = first_of_eight_[bits >> kEightShift];
+        return static_cast<std::uint8_t>(code + (x >= limits_[code + 1] ? 1 : 0));
+    }
+
     /// The smallest float of each code: 0 for code 0, and one entry beyond the last that no value reaches.
     const std::vector<float>& limits() const { return limits_; }
 
@@ -51,6 +60,11 @@ class SrgbCodes {
         float begin, at_begin, slope;
     };
     std::array<Piece, kPieces> pieces_{};
+    // For 8 bits, the code at the begin of each 1/128 of an octave. Within it the curve rises by less than
+    // 255 * 1.055 / 2.4 * ln(129/128) = 0.88 of a code, so at most one code begins there.
+    static constexpr float kLast = 0x1.fffffep-1f;
+    static constexpr int kEightShift = 23 - 7;
+    std::array<std::uint8_t, 21 << 7> first_of_eight_{};
     std::vector<float> limits_;
 };
 
