@@ -22,5 +22,6 @@ struct CommonOptions {
 // must outlive that.
 void add_scene_command(CLI::App& app, CommonOptions& common);
 void add_areas_command(CLI::App& app, CommonOptions& common);
+void add_fuzz_command(CLI::App& app, CommonOptions& common);
 
 }  // namespace keikan

@@ -4,6 +4,7 @@
 //
 //   scene    every pixel of a picture       scene_command.cpp
 //   areas    pixel cases, one or millions   areas_command.cpp
+//   fuzz     degenerate random pixels       fuzz_command.cpp
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -28,6 +29,7 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     app.add_option("--json", common.json, "Write the summary to this file too (- is standard output alone)");
     keikan::add_scene_command(app, common);
     keikan::add_areas_command(app, common);
+    keikan::add_fuzz_command(app, common);
 }
 
 int told(int exit_code, const char* what) {

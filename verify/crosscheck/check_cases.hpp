@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <istream>
+#include <optional>
 #include <string>
 
 #include "check_summary.hpp"
@@ -26,6 +28,11 @@ struct CaseCheckOptions {
 /// Properties: (1) Everything but `seconds` is the same for any number of threads.
 /// Errors:     InputError, as PixelCaseReader.
 CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCheckOptions& options);
+
+/// The same for the cases that `next` gives, one after the other, until it gives none. `finding` is called, in
+/// their order, with each case that has a disagreement.
+CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next, const CaseCheckOptions& options,
+                         const std::function<void(const PixelCase&, const PixelVerdict&)>& finding = {});
 
 /// One case; `index` is its place in the file.
 PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options);
