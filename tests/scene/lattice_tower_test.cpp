@@ -8,6 +8,7 @@
 
 #include "keikan/support/input_error.hpp"
 #include "mesh_facts.hpp"
+#include "tower_shape.hpp"
 
 using namespace keikan;
 using Catch::Matchers::Contains;
@@ -187,12 +188,25 @@ TEST_CASE("lattice_tower: a leg extension reaches its foot and leaves the steel 
     CHECK(above(level.steel.mesh) == above(extended.steel.mesh));
 }
 
-TEST_CASE("lattice_tower: panels grow downwards", "[scene][tower]") {
-    // The heights of the leg's splices, from the caps of leg pieces (the widest members that look out along
-    // x).
-    const LatticeTower tower = tower_of({});
-    CHECK(tower.panels >= 12);
-    CHECK(tower.panels <= 30);
+TEST_CASE("lattice_tower: panels grow downwards, to the base plane, and are about as tall as wide",
+          "[scene][tower]") {
+    for (const double height : {60.0, 80.0, 110.0}) {
+        const TowerShape shape(design_of_height(height));
+        std::vector<double> levels = shape.leg_levels();
+        CHECK(levels.front() == shape.waist_m());
+        levels.push_back(0);
+        for (std::size_t i = 1; i < levels.size(); ++i) {
+            const double panel = levels[i - 1] - levels[i];
+            if (i > 1) CHECK(panel > levels[i - 2] - levels[i - 1]);
+            const double width = 2 * shape.half_width(levels[i - 1]);
+            CHECK(panel / width > 0.9);
+            CHECK(panel / width < 1.5);
+        }
+        CHECK(shape.cage_levels().front() == shape.waist_m());
+        CHECK(shape.cage_levels().back() == height);
+        CHECK(tower_of(design_of_height(height)).panels ==
+              levels.size() - 1 + shape.cage_levels().size() - 1);
+    }
 }
 
 TEST_CASE("lattice_tower: what cannot stand is bad input", "[scene][tower]") {

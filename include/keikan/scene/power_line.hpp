@@ -116,11 +116,13 @@ inline constexpr std::array<WireLevel, 5> kWireLevels{{{12, 8.0}, {8, 4.0}, {6, 
 /// wherever in the picture that is.
 inline constexpr double kChordErrorPx = 0.01;
 
-/// Relative error of the thickness seen. A prism shows its full diameter across the direction that it was
-/// turned to, and is turned anew after kPrismTurn: cos 10 deg = 0.985; a ribbon after kRibbonTurn: cos 2.5
-/// deg = 0.999. What the eye's direction turns about the wire inside one segment, at most kPrismTurn, comes
-/// on top by half.
-inline constexpr double kThicknessError = 0.04;
+/// Relative error of the thickness seen. The eye sees a straight segment from the same side all along. A
+/// prism shows its full diameter across the direction that it was turned to, and is turned anew after
+/// kPrismTurn: cos 10 deg = 0.985; a ribbon after kRibbonTurn: cos 2.5 deg = 0.999. Where a ribbon turns, in
+/// two triangles, it does so by at most the sum of both, since segments are so short that the view turns by
+/// no more than kPrismTurn from one to the next (down to 1/4096 of the span: only an eye within centimetres
+/// of the wire's own line sees more).
+inline constexpr double kThicknessError = 0.02;
 inline constexpr double kPrismTurn = 0.1745;   ///< rad: 10 degrees
 inline constexpr double kRibbonTurn = 0.0436;  ///< rad: 2.5 degrees
 
