@@ -53,14 +53,12 @@ struct BuildingMaterials {
 /// Properties:
 ///   (1) Closed: every edge belongs to two faces that run along it in opposite directions.
 ///   (2) Every face is convex and planar within kPlanarity.
-///   (3) Without windows and foundation the volume is the footprint's area times the height (plus the
-///   roof's).
+///   (3) Without windows and foundation the volume is the footprint's area times the height (plus the roof).
 ///   (4) The footprint's orientation and first corner do not change what is seen.
 ///
 /// Errors: InputError (reason only) for a footprint with fewer than three corners, without area, with two
-/// equal
-///         corners or crossing or touching itself; sizes not positive and finite; a gable on what is no
-///         rectangle (corners more than kRightAngleSlack off).
+///         equal corners or crossing or touching itself; sizes not positive and finite; windows that do not
+///         fit; a gable on what is no rectangle (corners more than kRightAngleSlack off).
 Object build_building(const BuildingDesign& design, const BuildingMaterials& materials);
 
 /// Cosine of the angle between neighbouring sides of what still counts as a rectangle: 1 cm over 10 m, the

@@ -95,8 +95,7 @@ using GroundHeight = std::function<double(double x_m, double y_m)>;
 /// Properties:
 ///   (1) Every face is convex and its corners are within kPlanarity of one plane; prisms are closed.
 ///   (2) Segments are mitred: neighbours share their vertices (the same index) and every side is parallel to
-///   its
-///       segment. Where the level changes, or a prism is turned anew, both sides end in the mitre's plane.
+///       its segment. Where the level changes, or a prism is turned anew, both end in the mitre's plane.
 ///   (3) The thickness seen is the true one within kThicknessError, however small it is on the screen.
 ///   (4) A wire's axis ends at the towers' attachment points; the axes of a bundle end around them.
 ///
