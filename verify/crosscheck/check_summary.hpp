@@ -56,7 +56,7 @@ struct CheckSummary {
     CheckSummary& operator+=(const CheckSummary& later);
 };
 
-/// The summary of docs/verification.md as one JSON object on one line. `unflagged` where there are such
+/// The summary as one JSON object on one line (docs/verification.md). `unflagged` where there are such
 /// pixels.
 std::string summary_json(const CheckSummary& summary, const UnflaggedErrors* unflagged = nullptr);
 

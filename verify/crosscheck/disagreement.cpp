@@ -27,14 +27,17 @@ const char* name_of(Disagreement::Kind kind) {
     return "?";
 }
 
+bool is_of_areas(Disagreement::Kind kind) {
+    using enum Disagreement::Kind;
+    return kind == Area || kind == Background || kind == Sum;
+}
+
 std::string text_of(const Disagreement& d) {
     std::string text = fmt::format("pixel {},{}", d.pixel.x, d.pixel.y);
     if (!d.case_id.empty()) text += fmt::format(" of case {}", d.case_id);
     text += fmt::format(": {}", name_of(d.kind));
     if (d.face) text += fmt::format(" of face {}", *d.face);
-    const bool measured = d.kind == Disagreement::Kind::Area || d.kind == Disagreement::Kind::Background ||
-                          d.kind == Disagreement::Kind::Sum;
-    if (measured)
+    if (is_of_areas(d.kind))
         text += fmt::format(" is {:.17g}, exactly {:.17g}: off by {:.3g}, allowed {:.3g}", d.claimed, d.exact,
                             d.error, d.bound);
     if (!d.note.empty()) text += ": " + d.note;

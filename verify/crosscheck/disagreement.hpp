@@ -38,6 +38,9 @@ struct Disagreement {
 /// "area", "background" ... as the summary calls it.
 const char* name_of(Disagreement::Kind kind);
 
+/// Whether it says how far a number is off: an area, the background or their sum.
+bool is_of_areas(Disagreement::Kind kind);
+
 /// One line for people, without the command that repeats it.
 std::string text_of(const Disagreement& disagreement);
 

@@ -70,8 +70,7 @@ class SceneCheck::RowCheck {
             // The scanline's weights are an approximation: how good it is, is told apart from the verdict.
             result_.unflagged.add(verdict.area_error);
             check_.errors_[pixel] = static_cast<float>(verdict.area_error);
-            std::erase_if(verdict.disagreements,
-                          [](const Disagreement& d) { return d.kind != Disagreement::Kind::Rungs; });
+            std::erase_if(verdict.disagreements, [](const Disagreement& d) { return is_of_areas(d.kind); });
             verdict.area_error = verdict.sum_error = 0;
         } else {
             check_.errors_[pixel] = static_cast<float>(verdict.area_error);
