@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <exception>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -90,7 +90,8 @@ void areas(const AreasCommand& command, const CommonOptions& common) {
 }  // namespace
 
 void add_areas_command(CLI::App& app, const CommonOptions& common) {
-    auto* const sub = app.add_subcommand("areas", "Visible areas of pixel cases (docs/cases.md), a line of JSON each");
+    auto* const sub =
+        app.add_subcommand("areas", "Visible areas of pixel cases (docs/cases.md), a line of JSON each");
     const auto command = std::make_shared<AreasCommand>();
     sub->add_option("FILE", command->file, "Pixel cases, or - for standard input")->capture_default_str();
     sub->add_option("--engine", command->engine, "splitting, traversal, published")->capture_default_str();

@@ -14,7 +14,8 @@ namespace keikan {
 InputStream::InputStream(const std::string& file) : std::istream(nullptr) {
     buffer_.name = file == "-" ? "standard input" : file;
     buffer_.descriptor = file == "-" ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (buffer_.descriptor < 0) throw InputError(file, "", std::string("cannot be read: ") + std::strerror(errno));
+    if (buffer_.descriptor < 0)
+        throw InputError(file, "", std::string("cannot be read: ") + std::strerror(errno));
     rdbuf(&buffer_);
     exceptions(std::ios::badbit);  // an InputError of the buffer goes through to the caller
 }

@@ -40,8 +40,8 @@ PixelIndex pixel_of(const std::string& text, ImageSize size) {
     if (!numbers) throw InputError("--at: '" + text + "' is not X,Y, such as 412,77");
     const auto [x, y] = *numbers;
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)
-        throw InputError("--at: pixel " + text + " is outside of the picture of " + std::to_string(size.width) + "x" +
-                         std::to_string(size.height));
+        throw InputError("--at: pixel " + text + " is outside of the picture of " +
+                         std::to_string(size.width) + "x" + std::to_string(size.height));
     return {x, y};
 }
 
@@ -59,7 +59,8 @@ Engine engine_of(const std::string& engine) {
 }
 
 void require_engine(const std::string& engine) {
-    if (engine != "splitting") throw InputError("--engine: '" + engine + "' is not available; 'splitting' is");
+    if (engine != "splitting")
+        throw InputError("--engine: '" + engine + "' is not available; 'splitting' is");
 }
 
 void require_method(const std::string& method) {

@@ -22,7 +22,8 @@ Extraction extraction_of(const std::string& text);
 /// "splitting", "traversal" or "published", for single pixels. Errors: InputError.
 Engine engine_of(const std::string& engine);
 
-/// For pictures: refuses what is not built: engines other than "splitting", methods other than "kato". Errors: InputError.
+/// For pictures: refuses what is not built: engines other than "splitting", methods other than "kato".
+/// Errors: InputError.
 void require_engine(const std::string& engine);
 void require_method(const std::string& method);
 

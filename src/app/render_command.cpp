@@ -54,7 +54,8 @@ void add_render_command(CLI::App& app, const CommonOptions& common) {
     auto* const sub = app.add_subcommand("render", "Scan and shade: from a scene to a picture");
     const auto command = std::make_shared<RenderCommand>();
     sub->add_option("SCENE", command->scene, "Scene file (docs/scene.md)")->required();
-    sub->add_option("-o,--output", command->output.image, "Picture: .png, .exr, or - for PNG on standard output")
+    sub->add_option("-o,--output", command->output.image,
+                    "Picture: .png, .exr, or - for PNG on standard output")
         ->required();
     sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
     sub->add_option("--method", command->method, "Anti-aliasing: kato")->capture_default_str();

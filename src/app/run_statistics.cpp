@@ -16,10 +16,12 @@ void StageClock::ended(const std::string& stage) {
     last_ = now;
 }
 
-double StageClock::total() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+double StageClock::total() const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count();
+}
 
-void write_statistics(const std::string& file, const std::string& command, ImageSize size, const StageClock& clock,
-                      const ScanStatistics* scan) {
+void write_statistics(const std::string& file, const std::string& command, ImageSize size,
+                      const StageClock& clock, const ScanStatistics* scan) {
     if (file.empty()) return;
     nlohmann::ordered_json json;
     json["command"] = command;
@@ -41,8 +43,8 @@ void write_statistics(const std::string& file, const std::string& command, Image
 
 void tell_done(bool quiet, const std::string& file, ImageSize size, const StageClock& clock) {
     if (quiet) return;
-    fmt::print(stderr, "keikan: wrote {}, {}x{} pixels, in {:.2f} s\n", file == "-" ? "standard output" : file,
-               size.width, size.height, clock.total());
+    fmt::print(stderr, "keikan: wrote {}, {}x{} pixels, in {:.2f} s\n",
+               file == "-" ? "standard output" : file, size.width, size.height, clock.total());
 }
 
 }  // namespace keikan

@@ -42,11 +42,13 @@ void shade(const ShadeCommand& command, const CommonOptions& common) {
 }  // namespace
 
 void add_shade_command(CLI::App& app, const CommonOptions& common) {
-    auto* const sub = app.add_subcommand("shade", "The paper's second process: from a scan file to a picture");
+    auto* const sub =
+        app.add_subcommand("shade", "The paper's second process: from a scan file to a picture");
     const auto command = std::make_shared<ShadeCommand>();
     sub->add_option("SCAN", command->scan, "Scan file, made by keikan scan")->required();
     sub->add_option("SCENE", command->scene, "Scene file, for its colours, materials and lights")->required();
-    sub->add_option("-o,--output", command->output.image, "Picture: .png, .exr, or - for PNG on standard output")
+    sub->add_option("-o,--output", command->output.image,
+                    "Picture: .png, .exr, or - for PNG on standard output")
         ->required();
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
         ->check(CLI::IsMember({8, 16}))

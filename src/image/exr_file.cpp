@@ -61,7 +61,8 @@ ExrPicture read_channels(Imf::InputFile& in, const std::string& name) {
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width <= 0 || height <= 0 || width > kMaxPixels / height)
-        throw InputError(name, "", "holds " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+        throw InputError(name, "",
+                         "holds " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
     ExrPicture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};
     Imf::FrameBuffer frame;
     const Imf::ChannelList& channels = in.header().channels();

@@ -109,7 +109,8 @@ PngPiece deflated(const std::vector<png_byte>& bytes, bool last) {
     stream.next_out = reinterpret_cast<png_bytep>(piece.deflated.data());
     stream.avail_out = static_cast<uInt>(piece.deflated.size());
     const int result = deflate(&stream, last ? Z_FINISH : Z_SYNC_FLUSH);
-    const bool complete = result == (last ? Z_STREAM_END : Z_OK) && stream.avail_in == 0 && stream.avail_out > 0;
+    const bool complete =
+        result == (last ? Z_STREAM_END : Z_OK) && stream.avail_in == 0 && stream.avail_out > 0;
     piece.deflated.resize(stream.total_out);
     deflateEnd(&stream);
     KEIKAN_CHECK(complete, "zlib answers " << result);
@@ -118,9 +119,11 @@ PngPiece deflated(const std::vector<png_byte>& bytes, bool last) {
 
 /// All rows as one zlib stream, compressed side by side.
 std::string zlib_stream(const PngContent& content) {
-    std::vector<PngPiece> pieces(static_cast<std::size_t>((content.size.height + kPieceRows - 1) / kPieceRows));
+    std::vector<PngPiece> pieces(
+        static_cast<std::size_t>((content.size.height + kPieceRows - 1) / kPieceRows));
     parallel_for(pieces.size(), [&](std::size_t i) {
-        const int first = static_cast<int>(i) * kPieceRows, end = std::min(first + kPieceRows, content.size.height);
+        const int first = static_cast<int>(i) * kPieceRows,
+                  end = std::min(first + kPieceRows, content.size.height);
         pieces[i] = deflated(filtered_rows(content, first, end), i + 1 == pieces.size());
     });
     std::string stream("\x78\x01", 2);  // deflate, window of 32 KiB, fastest level
@@ -141,8 +144,8 @@ bool write_chunks(PngWriter& writer, std::string& out, const PngContent& content
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_write_fn(png, &out, append, nullptr);
     png_set_IHDR(png, writer.info, static_cast<png_uint_32>(content.size.width),
-                 static_cast<png_uint_32>(content.size.height), content.bits, content.colour_type, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 static_cast<png_uint_32>(content.size.height), content.bits, content.colour_type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (content.colour_type == PNG_COLOR_TYPE_RGB) png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, writer.info);
     for (std::size_t at = 0; at < stream.size(); at += kLongestChunk)
@@ -221,12 +224,14 @@ bool read_rows(PngReader& reader, png_bytepp rows) {
 /// A PNG file that has been opened: its header is read, its pixels are not.
 class OpenPng {
   public:
-    explicit OpenPng(const fs::path& file) : name_(file.string()), in_(std::fopen(file.c_str(), "rb"), std::fclose) {
+    explicit OpenPng(const fs::path& file)
+        : name_(file.string()), in_(std::fopen(file.c_str(), "rb"), std::fclose) {
         if (!in_) throw InputError(name_, "", std::string("cannot be read: ") + std::strerror(errno));
         require(read_header(reader_, in_.get()));
         const std::uint64_t pixels =
             std::uint64_t{png_get_image_width(png(), info())} * png_get_image_height(png(), info());
-        if (pixels > kMaxPngPixels) throw InputError(name_, "", "holds " + std::to_string(pixels) + " pixels");
+        if (pixels > kMaxPngPixels)
+            throw InputError(name_, "", "holds " + std::to_string(pixels) + " pixels");
     }
 
     png_structp png() { return reader_.png; }
@@ -238,12 +243,14 @@ class OpenPng {
     }
 
     void require(bool came_to_the_end) const {
-        if (!came_to_the_end) throw InputError(name_, "", std::string("cannot be read: ") + reader_.trouble.text);
+        if (!came_to_the_end)
+            throw InputError(name_, "", std::string("cannot be read: ") + reader_.trouble.text);
     }
 
     /// The pixels as `channels` values of 16 bits each.
     std::vector<std::uint16_t> values(int channels) {
-        const std::size_t stride = static_cast<std::size_t>(size().width) * static_cast<std::size_t>(channels);
+        const std::size_t stride =
+            static_cast<std::size_t>(size().width) * static_cast<std::size_t>(channels);
         std::vector<std::uint16_t> all(stride * static_cast<std::size_t>(size().height));
         std::vector<png_bytep> rows;
         for (std::size_t at = 0; at < all.size(); at += stride)
@@ -265,7 +272,8 @@ void write_png(const fs::path& file, const Image<Rgb>& linear, PngBits bits) {
     PngContent content{linear.size(), static_cast<int>(bits), PNG_COLOR_TYPE_RGB, {}};
     if (bits == PngBits::Eight) {
         content.fill_row = [&](int y, png_byte* row) {
-            encode_row(linear.row(y), row, [&](float x, png_byte* out) { return *out = codes.eight(x), out + 1; });
+            encode_row(linear.row(y), row,
+                       [&](float x, png_byte* out) { return *out = codes.eight(x), out + 1; });
         };
     } else {
         content.fill_row = [&](int y, png_byte* row) {

@@ -24,17 +24,21 @@ SrgbCodes::SrgbCodes(int bits) {
     for (int code = 1; code <= max; ++code) {
         const double exact = linear_from_srgb((code - 0.5) / max);
         const auto nearest = static_cast<float>(exact);
-        limits_[static_cast<std::size_t>(code)] = nearest < exact ? std::nextafter(nearest, kInfinity) : nearest;
+        limits_[static_cast<std::size_t>(code)] =
+            nearest < exact ? std::nextafter(nearest, kInfinity) : nearest;
     }
     const auto place = [](std::size_t piece, int shift) {
-        return std::bit_cast<float>(std::bit_cast<std::uint32_t>(kFirst) + (static_cast<std::uint32_t>(piece) << shift));
+        return std::bit_cast<float>(std::bit_cast<std::uint32_t>(kFirst) +
+                                    (static_cast<std::uint32_t>(piece) << shift));
     };
     for (std::size_t i = 0; i < kPieces; ++i) {
         const auto at = [&](std::size_t piece) { return place(piece, kPieceShift); };
         // Between two ends of a piece the curve is straight within a tenth of a code of 16 bits.
         const double begin = at(i), end = at(i + 1);
-        const double at_begin = max * srgb_from_linear(begin) + 0.5, at_end = max * srgb_from_linear(end) + 0.5;
-        pieces_[i] = {at(i), static_cast<float>(at_begin), static_cast<float>((at_end - at_begin) / (end - begin))};
+        const double at_begin = max * srgb_from_linear(begin) + 0.5,
+                     at_end = max * srgb_from_linear(end) + 0.5;
+        pieces_[i] = {at(i), static_cast<float>(at_begin),
+                      static_cast<float>((at_end - at_begin) / (end - begin))};
     }
     if (bits != 8) return;
     for (std::size_t i = 0; i < first_of_eight_.size(); ++i)

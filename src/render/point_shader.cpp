@@ -11,7 +11,9 @@ namespace keikan {
 
 namespace {
 
-Rgb mix(Rgb from, Rgb to, float share) { return (1 - share) * from + share * to; }
+Rgb mix(Rgb from, Rgb to, float share) {
+    return (1 - share) * from + share * to;
+}
 
 Rgb ramp_colour(const HeightSlopeRamp& ramp, float height_m) {
     const auto& stops = ramp.stops;
@@ -33,7 +35,9 @@ float steep_share(const HeightSlopeRamp& ramp, float normal_z) {
     return (slope_deg - ramp.steep_from_deg) / (ramp.steep_full_deg - ramp.steep_from_deg);
 }
 
-glm::vec3 vector_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+glm::vec3 vector_of(const std::array<float, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
 
 /// `n` at unit length; vertex normals that cancel out leave the plane's own.
 glm::vec3 unit_or_flat(const glm::vec3& n, const SeenFace& face) {
@@ -89,7 +93,8 @@ glm::vec3 FaceShader::unit_normal(double x, double y) const {
     if (!bends_) return normal_;
     const auto dx = static_cast<float>(x - face_.normal_at.x), dy = static_cast<float>(y - face_.normal_at.y);
     return unit_or_flat(
-        vector_of(face_.normal[0]) + dx * vector_of(face_.normal[1]) + dy * vector_of(face_.normal[2]), face_);
+        vector_of(face_.normal[0]) + dx * vector_of(face_.normal[1]) + dy * vector_of(face_.normal[2]),
+        face_);
 }
 
 Rgb FaceShader::albedo(double x, double y, double depth_m, const glm::vec3& towards) const {
@@ -115,7 +120,8 @@ Rgb FaceShader::colour(double x, double y) const {
     if (material_.specular > 0) {
         const glm::vec3 mirrored = 2 * facing * n - all_.to_sun_;
         const float along = -glm::dot(mirrored, towards) / ray_length;
-        if (along > 0) colour = colour + (material_.specular * std::pow(along, material_.exponent)) * light.sun;
+        if (along > 0)
+            colour = colour + (material_.specular * std::pow(along, material_.exponent)) * light.sun;
     }
     return all_.hazed(colour, depth_m, ray_length);
 }

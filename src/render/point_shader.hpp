@@ -63,9 +63,9 @@ class FaceShader {
     const PointShader& all_;
     const SeenFace& face_;
     const Material& material_;
-    float steep_ = 0;  ///< share of the ramp's `steep`
-    bool bends_;       ///< the normal changes over the face
-    glm::vec3 normal_; ///< where it does not
+    float steep_ = 0;   ///< share of the ramp's `steep`
+    bool bends_;        ///< the normal changes over the face
+    glm::vec3 normal_;  ///< where it does not
 };
 
 }  // namespace keikan

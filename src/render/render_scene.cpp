@@ -15,7 +15,8 @@ namespace {
 RenderedPicture empty_picture(ImageSize size, bool extra) {
     RenderedPicture picture;
     picture.image = Image<Rgb>(size);
-    if (extra) picture.extra = {Image<float>(size), Image<float>(size), Image<float>(size), Image<float>(size)};
+    if (extra)
+        picture.extra = {Image<float>(size), Image<float>(size), Image<float>(size), Image<float>(size)};
     return picture;
 }
 
@@ -24,13 +25,16 @@ void paint(const ScanBand& band, const Scene& scene, const RenderOptions& option
     if (options.after_rows) options.after_rows(band.rows);
 }
 
-std::string text_of(ImageSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string text_of(ImageSize size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
 /// The scan must be of this scene; its extraction is what it was scanned with.
 void require_same_geometry(const ScanHeader& header, const Scene& scene, const std::string& file) {
     if (header.size != scene.camera.size)
-        throw InputError(file, "", "was scanned at " + text_of(header.size) + ", the scene is " +
-                                       text_of(scene.camera.size));
+        throw InputError(
+            file, "",
+            "was scanned at " + text_of(header.size) + ", the scene is " + text_of(scene.camera.size));
     if (header.geometry_hash != scene.geometry_hash)
         throw InputError(file, "", "was scanned from another geometry or camera than " + scene.file.string());
 }
@@ -52,7 +56,8 @@ RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const
     return picture;
 }
 
-RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& scene, const RenderOptions& options) {
+RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& scene,
+                                const RenderOptions& options) {
     const ScanFileReader scan(file);
     require_same_geometry(scan.header(), scene, file.string());
     RenderedPicture picture = empty_picture(scene.camera.size, options.extra);

@@ -41,7 +41,8 @@ class RowPainter {
         }
         if (extra_ == nullptr) return;
         const SeenFace* const face = empty ? nullptr : &band_.faces[span.face];
-        for (int column = span.x_begin; column < span.x_end; ++column) note(column, empty ? 1 : 0, face, 0.5, 0.5, 0);
+        for (int column = span.x_begin; column < span.x_end; ++column)
+            note(column, empty ? 1 : 0, face, 0.5, 0.5, 0);
     }
 
     void paint(const DividedPixel& pixel) {
@@ -52,7 +53,8 @@ class RowPainter {
         for (std::uint32_t i = pixel.part_begin; i < pixel.part_end; ++i) {
             const SeenPart& part = band_.parts[i];
             const FaceShader face(shader_, band_.faces[part.face]);
-            mean.add(part.weight, face.colour(pixel.x + static_cast<double>(part.x), y_ + static_cast<double>(part.y)));
+            mean.add(part.weight,
+                     face.colour(pixel.x + static_cast<double>(part.x), y_ + static_cast<double>(part.y)));
             if (part.weight > (largest != nullptr ? largest->weight : 0)) largest = &part;
         }
         colours_[static_cast<std::size_t>(pixel.x)] = mean.colour();
@@ -74,7 +76,8 @@ class RowPainter {
         };
         set(extra_->background, static_cast<float>(background));
         set(extra_->object_id, face != nullptr ? static_cast<float>(1 + face->object) : 0);
-        set(extra_->depth, face != nullptr ? static_cast<float>(shader_.depth(*face, x + local_x, y_ + local_y)) : 0);
+        set(extra_->depth,
+            face != nullptr ? static_cast<float>(shader_.depth(*face, x + local_x, y_ + local_y)) : 0);
         set(extra_->flags, flag);
     }
 
@@ -94,7 +97,8 @@ void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, Ext
     for (int row = 0; row < band.rows; ++row) {
         const auto r = static_cast<std::size_t>(row);
         RowPainter painter(band, shader, image, extra, band.first_row + row);
-        for (std::uint32_t i = band.span_begin[r]; i < band.span_begin[r + 1]; ++i) painter.paint(band.spans[i]);
+        for (std::uint32_t i = band.span_begin[r]; i < band.span_begin[r + 1]; ++i)
+            painter.paint(band.spans[i]);
         for (std::uint32_t i = band.divided_begin[r]; i < band.divided_begin[r + 1]; ++i)
             painter.paint(band.divided[i]);
     }

@@ -69,7 +69,8 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
 }
 
 void AtomicFile::overwrite(std::uint64_t offset, std::span<const std::byte> bytes) {
-    KEIKAN_CHECK(can_overwrite() && offset + bytes.size() <= size_, "nothing was written at offset " << offset);
+    KEIKAN_CHECK(can_overwrite() && offset + bytes.size() <= size_,
+                 "nothing was written at offset " << offset);
     while (!bytes.empty()) {
         const ssize_t written = pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
         if (written < 0) {

@@ -46,10 +46,13 @@ ThreadLimit::ThreadLimit(int threads) : control_(std::make_unique<Control>(threa
     control_->outer = Control::innermost().exchange(control_.get());
 }
 
-ThreadLimit::~ThreadLimit() { Control::innermost().store(control_->outer); }
+ThreadLimit::~ThreadLimit() {
+    Control::innermost().store(control_->outer);
+}
 
 int thread_count() {
-    if (const ThreadLimit::Control* control = ThreadLimit::Control::innermost().load()) return control->threads;
+    if (const ThreadLimit::Control* control = ThreadLimit::Control::innermost().load())
+        return control->threads;
     return std::max(1, tbb::info::default_concurrency());
 }
 
@@ -88,14 +91,14 @@ void parallel_in_order(std::size_t count, std::size_t in_flight,
     // The pipeline lets in_flight items live at a time and they leave in order, so when item i enters,
     // item i - in_flight has left: i modulo in_flight is a free slot.
     std::size_t next = 0;
-    const auto number = tbb::make_filter<void, std::size_t>(
-        tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) -> std::size_t {
-            if (next == count) {
-                flow.stop();
-                return count;
-            }
-            return next++;
-        });
+    const auto number = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                            [&](tbb::flow_control& flow) -> std::size_t {
+                                                                if (next == count) {
+                                                                    flow.stop();
+                                                                    return count;
+                                                                }
+                                                                return next++;
+                                                            });
     const auto made = tbb::make_filter<std::size_t, std::size_t>(
         tbb::filter_mode::parallel, [&](std::size_t i) { return make(i, i % in_flight), i; });
     const auto taken = tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order,

@@ -14,26 +14,31 @@ namespace {
 
 std::string half_cases(int count) {
     std::string lines;
-    for (int i = 0; i < count; ++i) lines += R"({"polygons": [[[0, 0], [0.5, 0], [0.5, 1], [0, 1]]]})" "\n";
+    for (int i = 0; i < count; ++i)
+        lines += R"({"polygons": [[[0, 0], [0.5, 0], [0.5, 1], [0, 1]]]})"
+                 "\n";
     return lines;
 }
 
 }  // namespace
 
-TEST_CASE("keikan areas: a line for each case, an area for each polygon, in the order given", "[app][areas]") {
+TEST_CASE("keikan areas: a line for each case, an area for each polygon, in the order given",
+          "[app][areas]") {
     const Run run = run_keikan(
-        "areas", R"({"id": "say \"half\"", "polygons": [[[0, 0], [0.5, 0], [0.5, 1], [0, 1]], [[0, 0], [0, 1], [0.25, 0]]]})"
-                 "\n\n"
-                 R"({"polygons": [], "pixel": [3, 4]})"
-                 "\n"
-                 R"({"id": "third", "polygons": [["0x0p0", "0x0p0"]], "x": 1})"
-                 "\n");
+        "areas",
+        R"({"id": "say \"half\"", "polygons": [[[0, 0], [0.5, 0], [0.5, 1], [0, 1]], [[0, 0], [0, 1], [0.25, 0]]]})"
+        "\n\n"
+        R"({"polygons": [], "pixel": [3, 4]})"
+        "\n"
+        R"({"id": "third", "polygons": [["0x0p0", "0x0p0"]], "x": 1})"
+        "\n");
     // The third line is no polygon of points: what stands before it is answered.
     CHECK(run.exit_code == 2);
     CHECK(run.complains_in_one_line());
     CHECK_THAT(run.err, Catch::Contains("standard input:4"));
-    CHECK(run.out == "{\"id\": \"say \\\"half\\\"\", \"areas\": [0.5, 0], \"background\": 0.5}\n"
-                     "{\"id\": \"3\", \"areas\": [], \"background\": 1}\n");
+    CHECK(run.out ==
+          "{\"id\": \"say \\\"half\\\"\", \"areas\": [0.5, 0], \"background\": 0.5}\n"
+          "{\"id\": \"3\", \"areas\": [], \"background\": 1}\n");
 }
 
 TEST_CASE("keikan areas: numbers have 17 significant digits, which name the same double", "[app][areas]") {
@@ -55,7 +60,8 @@ TEST_CASE("keikan areas: no case at all is no line at all", "[app][areas]") {
 
 TEST_CASE("keikan areas: the bytes do not depend on the number of threads", "[app][areas][threads]") {
     std::string input = half_cases(3000);
-    for (const auto& file : std::filesystem::recursive_directory_iterator(KEIKAN_SOURCE_DIR "/data/degenerate"))
+    for (const auto& file :
+         std::filesystem::recursive_directory_iterator(KEIKAN_SOURCE_DIR "/data/degenerate"))
         if (file.path().extension() == ".jsonl") input += contents(file.path());
     const Run one = run_keikan("areas --threads 1", input);
     CHECK(one.exit_code == 0);
@@ -64,8 +70,8 @@ TEST_CASE("keikan areas: the bytes do not depend on the number of threads", "[ap
 }
 
 TEST_CASE("keikan areas: answers come while the questions still go on", "[app][areas]") {
-    // The second question is asked when the first has been answered, as a program at the other end would; after
-    // ten seconds without an answer it gives up and asks nothing more.
+    // The second question is asked when the first has been answered, as a program at the other end would;
+    // after ten seconds without an answer it gives up and asks nothing more.
     const ScratchFolder folder("app");
     std::ofstream(folder / "lockstep.sh") << R"sh(cd "$(dirname "$0")" && mkfifo questions && : > answers
         { echo '{"id": "first", "polygons": []}'

@@ -50,9 +50,12 @@ TEST_CASE("keikan scan and shade: the same bytes as render, after a change of co
         });
         for (const std::string kind : {"a.png --bits 8", "a.png --bits 16", "a.exr --aov"}) {
             const std::string name = kind.substr(0, 5);
-            REQUIRE(run_keikan("render " + relit + " --extract " + extract + " -o " + (folder / kind).string()).exit_code == 0);
+            REQUIRE(
+                run_keikan("render " + relit + " --extract " + extract + " -o " + (folder / kind).string())
+                    .exit_code == 0);
             const std::string rendered = contents(folder / name);
-            REQUIRE(run_keikan("shade " + scan + " " + relit + " -o " + (folder / kind).string()).exit_code == 0);
+            REQUIRE(run_keikan("shade " + scan + " " + relit + " -o " + (folder / kind).string()).exit_code ==
+                    0);
             CHECK(contents(folder / name) == rendered);
         }
     }
@@ -65,7 +68,8 @@ TEST_CASE("keikan: the bytes do not depend on the number of threads", "[app][thr
         const std::string scan_file = folder / "hill.scan";
         REQUIRE(run_keikan("scan " + hill() + " -o " + scan_file + " --threads " + threads).exit_code == 0);
         const Run render = run_keikan("render " + hill() + " -o - --quiet --threads " + threads);
-        const Run shade = run_keikan("shade " + scan_file + " " + hill() + " -o - --quiet --threads " + threads);
+        const Run shade =
+            run_keikan("shade " + scan_file + " " + hill() + " -o - --quiet --threads " + threads);
         if (scan.empty()) scan = contents(scan_file), picture = render.out;
         CHECK(contents(scan_file) == scan);
         CHECK(render.out == picture);
@@ -108,7 +112,8 @@ TEST_CASE("keikan shade: a scan that is cut short or damaged is refused", "[app]
     }
 }
 
-TEST_CASE("keikan render: OpenEXR holds linear colours, and on demand what lies behind them", "[app][render]") {
+TEST_CASE("keikan render: OpenEXR holds linear colours, and on demand what lies behind them",
+          "[app][render]") {
     const ScratchFolder folder("app");
     const std::string file = folder / "hill.exr";
     REQUIRE(run_keikan("render " + hill() + " -o " + file).exit_code == 0);
@@ -118,16 +123,19 @@ TEST_CASE("keikan render: OpenEXR holds linear colours, and on demand what lies 
     REQUIRE(run_keikan("render " + hill() + " --aov -o " + file).exit_code == 0);
     const keikan::ExrPicture all = keikan::read_exr(file);
     for (const std::string name : {"R", "G", "B"}) CHECK(all.channels.at(name) == plain.channels.at(name));
-    for (const std::string name : {"background", "object_id", "depth", "flags"}) CHECK(all.channels.contains(name));
+    for (const std::string name : {"background", "object_id", "depth", "flags"})
+        CHECK(all.channels.contains(name));
 }
 
 TEST_CASE("keikan: --stats tells the seconds of each stage and what was counted", "[app][stats]") {
     const ScratchFolder folder("app");
     const std::string stats = folder / "stats.json";
-    REQUIRE(run_keikan("render " + hill() + " -o " + (folder / "a.png").string() + " --stats " + stats).exit_code == 0);
+    REQUIRE(run_keikan("render " + hill() + " -o " + (folder / "a.png").string() + " --stats " + stats)
+                .exit_code == 0);
     const auto json = nlohmann::json::parse(contents(stats));
     CHECK(json["pixels"] == 320 * 208);
-    for (const std::string count : {"flagged_pixels", "polygons", "parts"}) CHECK(json[count].get<long>() > 0);
+    for (const std::string count : {"flagged_pixels", "polygons", "parts"})
+        CHECK(json[count].get<long>() > 0);
     CHECK(json["samples"] == 0);
     for (const std::string stage : {"read", "build", "render", "write", "total"})
         CHECK(json["seconds"][stage].get<double>() >= 0);

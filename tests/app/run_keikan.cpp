@@ -11,7 +11,8 @@
 #include "../support/scratch_folder.hpp"
 
 bool Run::complains_in_one_line() const {
-    return err.starts_with("keikan: ") && err.ends_with('\n') && std::count(err.begin(), err.end(), '\n') == 1;
+    return err.starts_with("keikan: ") && err.ends_with('\n') &&
+           std::count(err.begin(), err.end(), '\n') == 1;
 }
 
 Run run_keikan(const std::string& arguments, const std::string& input) {
@@ -25,7 +26,9 @@ Run run_keikan(const std::string& arguments, const std::string& input) {
     return {code, contents(out), contents(err)};
 }
 
-std::string hill() { return KEIKAN_SOURCE_DIR "/data/scenes/hill.json"; }
+std::string hill() {
+    return KEIKAN_SOURCE_DIR "/data/scenes/hill.json";
+}
 
 std::string contents(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);

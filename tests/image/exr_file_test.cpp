@@ -5,10 +5,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/support/atomic_file.hpp"
 #include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
-#include "../support/scratch_folder.hpp"
 
 using namespace keikan;
 

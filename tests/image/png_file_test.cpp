@@ -6,12 +6,12 @@
 #include <iterator>
 #include <limits>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/image/srgb.hpp"
 #include "keikan/support/atomic_file.hpp"
 #include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
-#include "../support/scratch_folder.hpp"
 
 using namespace keikan;
 
@@ -21,7 +21,9 @@ namespace {
 Image<Rgb> speckles(ImageSize size) {
     Image<Rgb> image(size);
     std::uint32_t state = 1;
-    const auto next = [&] { return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 1.6e7f; };
+    const auto next = [&] {
+        return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 1.6e7f;
+    };
     for (Rgb& colour : image.values()) colour = {next(), next(), 1.1f * next() - 0.05f};
     return image;
 }
@@ -33,7 +35,8 @@ std::string contents(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("write_png: reading gives the colour of each code, and writing that the same bytes", "[image][png]") {
+TEST_CASE("write_png: reading gives the colour of each code, and writing that the same bytes",
+          "[image][png]") {
     const ScratchFolder folder("png");
     const Image<Rgb> image = speckles({37, 21});
     for (const PngBits bits : {PngBits::Eight, PngBits::Sixteen}) {
@@ -94,7 +97,8 @@ TEST_CASE("write_png: a colour that is not a number is our mistake, and leaves n
 TEST_CASE("read_png_grey16: the values come back as they were written", "[image][png]") {
     const ScratchFolder folder("png");
     Image<std::uint16_t> grid({5, 3});
-    for (std::size_t i = 0; i < grid.values().size(); ++i) grid.values()[i] = static_cast<std::uint16_t>(4369 * i);
+    for (std::size_t i = 0; i < grid.values().size(); ++i)
+        grid.values()[i] = static_cast<std::uint16_t>(4369 * i);
     write_png_grey16(folder / "grid.png", grid);
     CHECK(read_png_grey16(folder / "grid.png") == grid);
 }
@@ -112,7 +116,8 @@ TEST_CASE("read_png: what is no such picture is refused with the file's name", "
     refused(folder / "empty.png", "cannot be read");
 
     write_png(folder / "colour.png", speckles({9, 9}));
-    CHECK_THROWS_WITH(read_png_grey16(folder / "colour.png"), Catch::Contains("is not a grey PNG of 16 bits"));
+    CHECK_THROWS_WITH(read_png_grey16(folder / "colour.png"),
+                      Catch::Contains("is not a grey PNG of 16 bits"));
     const std::string whole = contents(folder / "colour.png");
     for (const std::size_t length : {whole.size() - 14, whole.size() / 2, std::size_t{20}}) {
         write_whole_file(folder / "cut.png", whole.substr(0, length));

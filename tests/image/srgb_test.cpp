@@ -16,7 +16,8 @@ long double reference_linear(long double encoded) {
 
 }  // namespace
 
-TEST_CASE("srgb: the two directions are each other's inverse, and meet the standard's values", "[image][srgb]") {
+TEST_CASE("srgb: the two directions are each other's inverse, and meet the standard's values",
+          "[image][srgb]") {
     CHECK(srgb_from_linear(0) == 0);
     CHECK(srgb_from_linear(1) == Approx(1).margin(1e-15));
     CHECK(srgb_from_linear(0.5) == Approx(0.7353569830524495).margin(1e-15));
@@ -41,7 +42,8 @@ TEST_CASE("SrgbCodes (1): a code begins exactly where the reference says, for ev
             // The codes never fall (limits rise and every value lies between its two), so that both sides
             // of each limit stand for all floats.
             if (codes(first) != k || codes(std::nextafter(first, 0.0f)) != k - 1) ++wrong;
-            if (bits == 8 && (codes.eight(first) != k || codes.eight(std::nextafter(first, 0.0f)) != k - 1)) ++wrong;
+            if (bits == 8 && (codes.eight(first) != k || codes.eight(std::nextafter(first, 0.0f)) != k - 1))
+                ++wrong;
             if (codes.limits()[static_cast<std::size_t>(k)] != first) ++wrong;
         }
         CHECK(wrong == 0);

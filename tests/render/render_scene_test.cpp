@@ -29,7 +29,8 @@ void write_scan(const std::filesystem::path& file, const Scene& scene, const Sca
 
 bool same(const RenderedPicture& p, const RenderedPicture& q) {
     return p.image == q.image && p.extra.background == q.extra.background &&
-           p.extra.object_id == q.extra.object_id && p.extra.depth == q.extra.depth && p.extra.flags == q.extra.flags;
+           p.extra.object_id == q.extra.object_id && p.extra.depth == q.extra.depth &&
+           p.extra.flags == q.extra.flags;
 }
 
 }  // namespace
@@ -82,7 +83,8 @@ TEST_CASE("render_scene: coverage and flags agree with each other", "[render]") 
     const RenderedPicture picture = render_scene(scene, build_geometry(scene), options);
     int skies = 0, grounds = 0, wrong = 0;
     for (std::size_t i = 0; i < picture.image.values().size(); ++i) {
-        const float background = picture.extra.background.values()[i], object = picture.extra.object_id.values()[i];
+        const float background = picture.extra.background.values()[i],
+                    object = picture.extra.object_id.values()[i];
         skies += background == 1;
         grounds += background == 0;
         if (background < 0 || background > 1) ++wrong;

@@ -76,7 +76,8 @@ TEST_CASE("shade_band: a matt wall shows ambient light and the sun by its cosine
     check_colour(colour, 0.5 * (0.3 + 0.6), 0.25 * (0.3 + 0.6 * 0.9), 0.125 * (0.3 + 0.6 * 0.8));
 }
 
-TEST_CASE("shade_band: ambient light is the sky's from above and the ground's from below", "[render][phong]") {
+TEST_CASE("shade_band: ambient light is the sky's from above and the ground's from below",
+          "[render][phong]") {
     Scene scene = example_scene();
     scene.light.sun = {0, 0, 0};
     SeenFace face = wall();
@@ -93,7 +94,8 @@ TEST_CASE("shade_band: a face turned away from the sun has no share of it", "[re
     check_colour(colour_of(band_of(wall(), kAhead), scene, kAhead), 0.15, 0.075, 0.0375);
 }
 
-TEST_CASE("shade_band: the highlight is the mirrored sun's cosine to the eye, to the exponent", "[render][phong]") {
+TEST_CASE("shade_band: the highlight is the mirrored sun's cosine to the eye, to the exponent",
+          "[render][phong]") {
     // r = 2 (n.l) n - l = (0, -0.6, -0.8) and v = (0, -1, 0): r.v = 0.6.
     Scene scene = example_scene();
     scene.materials[0].diffuse = 0;
@@ -127,14 +129,16 @@ TEST_CASE("shade_band: haze covers half of what is seen at range times ln 2", "[
     Scene scene = example_scene();
     scene.haze.colour = {1, 1, 1};
     scene.haze.range_m = 10 / std::numbers::ln2;
-    check_colour(colour_of(band_of(wall(), kAhead), scene, kAhead), (0.45 + 1) / 2, (0.21 + 1) / 2, (0.0975 + 1) / 2);
+    check_colour(colour_of(band_of(wall(), kAhead), scene, kAhead), (0.45 + 1) / 2, (0.21 + 1) / 2,
+                 (0.0975 + 1) / 2);
     // Three pixels up, the way to the wall is 5/4 as long.
     const PixelIndex up{4, 1};
     scene.haze.range_m = 12.5 / std::numbers::ln2;
     check_colour(colour_of(band_of(wall(), up), scene, up), (0.45 + 1) / 2, (0.21 + 1) / 2, (0.0975 + 1) / 2);
 }
 
-TEST_CASE("shade_band: a face seen edge-on is far away, and its colour still a number", "[render][degenerate]") {
+TEST_CASE("shade_band: a face seen edge-on is far away, and its colour still a number",
+          "[render][degenerate]") {
     Scene scene = example_scene();
     scene.haze.colour = {0.25f, 0.5f, 0.75f};
     scene.haze.range_m = 1000;
@@ -145,7 +149,8 @@ TEST_CASE("shade_band: a face seen edge-on is far away, and its colour still a n
     }
 }
 
-TEST_CASE("shade_band: a ramp colours by the height of the point and the slope of the plane", "[render][ramp]") {
+TEST_CASE("shade_band: a ramp colours by the height of the point and the slope of the plane",
+          "[render][ramp]") {
     Scene scene = example_scene();
     scene.light.sun = {0, 0, 0};
     scene.light.sky_ambient = scene.light.ground_ambient = {1, 1, 1};  // so that the colour is the albedo

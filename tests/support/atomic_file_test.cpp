@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keikan/support/atomic_file.hpp"
 
+#include <unistd.h>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 #include "keikan/support/input_error.hpp"
 

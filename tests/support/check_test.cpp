@@ -22,6 +22,7 @@ TEST_CASE("KEIKAN_CHECK: a failure tells the file, the message and the condition
 }
 
 TEST_CASE("InputError: file, place and reason make one line", "[support]") {
-    CHECK(std::string(InputError("a.json", "/camera", "no such key").what()) == "a.json:/camera: no such key");
+    CHECK(std::string(InputError("a.json", "/camera", "no such key").what()) ==
+          "a.json:/camera: no such key");
     CHECK(std::string(InputError("a.json", "", "empty").what()) == "a.json: empty");
 }

@@ -15,7 +15,8 @@ namespace {
 const std::vector<int> kThreadCounts = {1, 2, 3, 8};
 }
 
-TEST_CASE("ThreadLimit: the youngest counts, and the machine decides again when all have ended", "[support]") {
+TEST_CASE("ThreadLimit: the youngest counts, and the machine decides again when all have ended",
+          "[support]") {
     const int machine = thread_count();
     CHECK(machine >= 1);
     {
@@ -91,7 +92,8 @@ TEST_CASE("parallel_ranges: ranges divide the whole and are at least the grain l
     }
 }
 
-TEST_CASE("parallel_in_order: items are taken in rising order, each once, after they were made", "[support]") {
+TEST_CASE("parallel_in_order: items are taken in rising order, each once, after they were made",
+          "[support]") {
     for (const int threads : kThreadCounts) {
         const ThreadLimit limit(threads);
         std::vector<int> made(500, 0);
@@ -131,7 +133,8 @@ TEST_CASE("parallel_in_order: no more than `in_flight` items wait, each alone in
     }
 }
 
-TEST_CASE("parallel_in_order: an exception of make or take is thrown again where it was called", "[support]") {
+TEST_CASE("parallel_in_order: an exception of make or take is thrown again where it was called",
+          "[support]") {
     for (const int threads : kThreadCounts) {
         const ThreadLimit limit(threads);
         const auto nothing = [](std::size_t, std::size_t) {};

@@ -20,6 +20,7 @@ struct ScratchFolder {
 
     std::filesystem::path operator/(const std::string& file) const { return path / file; }
     long files() const {
-        return std::distance(std::filesystem::directory_iterator(path), std::filesystem::directory_iterator());
+        return std::distance(std::filesystem::directory_iterator(path),
+                             std::filesystem::directory_iterator());
     }
 };

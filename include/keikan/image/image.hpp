@@ -25,14 +25,17 @@ class Image {
   public:
     Image() = default;
     explicit Image(ImageSize size, T value = T{})
-        : size_(size), values_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), value) {}
+        : size_(size),
+          values_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), value) {}
 
     ImageSize size() const { return size_; }
     int width() const { return size_.width; }
     int height() const { return size_.height; }
     T& operator[](PixelIndex p) { return values_[at(p)]; }
     const T& operator[](PixelIndex p) const { return values_[at(p)]; }
-    std::span<T> row(int y) { return std::span(values_).subspan(at({0, y}), static_cast<std::size_t>(size_.width)); }
+    std::span<T> row(int y) {
+        return std::span(values_).subspan(at({0, y}), static_cast<std::size_t>(size_.width));
+    }
     std::span<const T> row(int y) const {
         return std::span(values_).subspan(at({0, y}), static_cast<std::size_t>(size_.width));
     }
@@ -42,7 +45,8 @@ class Image {
 
   private:
     std::size_t at(PixelIndex p) const {
-        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(p.x);
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.width) +
+               static_cast<std::size_t>(p.x);
     }
     ImageSize size_;
     std::vector<T> values_;

@@ -14,7 +14,8 @@ double linear_from_srgb(double encoded);
 
 /// Linear light to sRGB codes 0 ... 2^bits - 1, rounded to nearest.
 ///
-/// Property: (1) The code of x is k exactly when linear_from_srgb((k - 1/2) / max) <= x, and not so for k + 1;
+/// Property: (1) The code of x is k exactly when linear_from_srgb((k - 1/2) / max) <= x, and not so for k +
+/// 1;
 ///               x <= 0 has code 0 and x >= 1 the largest, infinities among them.
 /// Exact:    by comparison with those limits, each the smallest float for which (1) holds. The tests check
 ///           both sides of every limit, 8 and 16 bits, against long double.

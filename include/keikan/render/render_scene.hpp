@@ -12,15 +12,15 @@ namespace keikan {
 
 struct RenderOptions {
     ScanOptions scan;
-    bool extra = false;                              ///< make all of ExtraImages
-    std::function<void(int rows)> after_rows = {};   ///< told, from any thread, how many more rows are painted
+    bool extra = false;                             ///< make all of ExtraImages
+    std::function<void(int rows)> after_rows = {};  ///< told, from any thread, how many more rows are painted
 };
 
 struct RenderedPicture {
     Image<Rgb> image;  ///< linear light
     ExtraImages extra;
-    ScanStatistics scan;        ///< of render_scene
-    double seconds_shade = 0;   ///< of render_scene: shading alone, summed over the bands
+    ScanStatistics scan;       ///< of render_scene
+    double seconds_shade = 0;  ///< of render_scene: shading alone, summed over the bands
 };
 
 /// The whole picture: scans the faces and shades each band as it comes.
