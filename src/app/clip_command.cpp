@@ -55,7 +55,8 @@ Clipper clipper_ring(const std::string& text) {
     if (!is_convex_ring(ring)) throw InputError("--clip", "", "is not convex");
     Clipper clipper;
     for (std::size_t j = 0; j < ring.size(); ++j) {
-        const Sign turn = orient2d(ring[(j + ring.size() - 1) % ring.size()], ring[j], ring[(j + 1) % ring.size()]);
+        const Sign turn =
+            orient2d(ring[(j + ring.size() - 1) % ring.size()], ring[j], ring[(j + 1) % ring.size()]);
         if (turn == Sign::Zero) continue;
         clipper.reversed = turn == Sign::Negative;
         clipper.ring.push_back(ring[j]);
@@ -70,8 +71,10 @@ Clipper clipper_ring(const std::string& text) {
 
 /// Clipper vertex or edge `index` in the ring as given: an edge that was reversed starts at its other end.
 std::uint32_t given_index(const Clipper& clipper, const Contact& contact) {
-    const bool on_edge = contact.kind == ContactClass::EdgeEdge || contact.kind == ContactClass::SubjectVertex;
-    const std::size_t start = on_edge && clipper.reversed ? (contact.clip + 1) % clipper.ring.size() : contact.clip;
+    const bool on_edge =
+        contact.kind == ContactClass::EdgeEdge || contact.kind == ContactClass::SubjectVertex;
+    const std::size_t start =
+        on_edge && clipper.reversed ? (contact.clip + 1) % clipper.ring.size() : contact.clip;
     return clipper.given[start];
 }
 
@@ -101,7 +104,8 @@ Difference as_published(const Ring& subject, const Clipper& clipper) {
     for (std::size_t x = 0; x < found.size(); ++x) {
         Contact contact = found[x];
         contact.turn = (x % 2 == 0) != reversed ? Turn::Enter : Turn::Leave;
-        const bool on_edge = contact.kind == ContactClass::EdgeEdge || contact.kind == ContactClass::ClipVertex;
+        const bool on_edge =
+            contact.kind == ContactClass::EdgeEdge || contact.kind == ContactClass::ClipVertex;
         if (reversed) contact.subject = (2 * n - 1 - contact.subject - (on_edge ? 1 : 0)) % n;
         result.intersections.push_back(contact);
     }
@@ -118,10 +122,14 @@ Difference as_published(const Ring& subject, const Clipper& clipper) {
 
 const char* name_of(ContactClass kind) {
     switch (kind) {
-        case ContactClass::EdgeEdge: return "edge-edge";
-        case ContactClass::SubjectVertex: return "subject-vertex";
-        case ContactClass::ClipVertex: return "clip-vertex";
-        case ContactClass::SharedVertex: return "shared-vertex";
+        case ContactClass::EdgeEdge:
+            return "edge-edge";
+        case ContactClass::SubjectVertex:
+            return "subject-vertex";
+        case ContactClass::ClipVertex:
+            return "clip-vertex";
+        case ContactClass::SharedVertex:
+            return "shared-vertex";
     }
     return "";
 }
@@ -156,12 +164,14 @@ std::string json_of(const Difference& difference, const Clipper& clipper) {
 
 void clip(const ClipCommand& command) {
     if (command.engine != "traversal" && command.engine != "published")
-        throw InputError("--engine " + command.engine, "", "is not an engine for one difference: traversal, published");
+        throw InputError("--engine " + command.engine, "",
+                         "is not an engine for one difference: traversal, published");
     const Ring subject = subject_ring(command.subject);
     const Clipper clipper = clipper_ring(command.clip);
     Difference difference;
     if (subject.size() >= 3 && clipper.ring.size() >= 3)
-        difference = command.engine == "traversal" ? by_traversal(subject, clipper) : as_published(subject, clipper);
+        difference =
+            command.engine == "traversal" ? by_traversal(subject, clipper) : as_published(subject, clipper);
     else if (subject.size() >= 3)
         difference.pieces.add(positively_turning(subject), 1);  // a clipper without area hides nothing
     AtomicFile out("-");
@@ -172,9 +182,11 @@ void clip(const ClipCommand& command) {
 }  // namespace
 
 void add_clip_command(CLI::App& app) {
-    auto* const sub = app.add_subcommand("clip", "One difference: its intersections by class, its pieces, its area");
+    auto* const sub =
+        app.add_subcommand("clip", "One difference: its intersections by class, its pieces, its area");
     const auto command = std::make_shared<ClipCommand>();
-    sub->add_option("--subject", command->subject, "WKT polygon; may be concave and touch itself")->required();
+    sub->add_option("--subject", command->subject, "WKT polygon; may be concave and touch itself")
+        ->required();
     sub->add_option("--clip", command->clip, "WKT polygon, convex")->required();
     sub->add_option("--engine", command->engine, "traversal or published")->capture_default_str();
     sub->callback([command] { clip(*command); });

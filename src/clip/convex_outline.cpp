@@ -360,7 +360,9 @@ Overlap overlap(PixelIndex index, const ConvexOutline& outline, std::vector<Edge
     // An edge beyond one border does not part the pixel, unless the outline misses it altogether (if a
     // corner were outside this edge alone, the way from there to a point of both would cross the edge in
     // the pixel). So it is looked at only if the others leave that open.
-    const auto shuns = [&](std::size_t i) { return (view[i].beyond & view[i + 1 < n ? i + 1 : 0].beyond) != 0; };
+    const auto shuns = [&](std::size_t i) {
+        return (view[i].beyond & view[i + 1 < n ? i + 1 : 0].beyond) != 0;
+    };
     for (std::size_t i = 0; i < n; ++i)
         if (!shuns(i) && !look(i)) return Overlap::Nothing;
     if (outside != 0 || reaches_in) return Overlap::Part;

@@ -86,7 +86,8 @@ void EntrantReader::find_candidates(PixelIndex pixel, std::span<const FaceView> 
         candidate.overlap = overlap(pixel, candidate.outline, views_);
         if (candidate.overlap == Overlap::Nothing) continue;
         const bool whole = candidate.overlap == Overlap::WholePixel;
-        if (whole && nearness == Nearness::ByDepth) hidden_below = std::max(hidden_below, candidate.depth.min);
+        if (whole && nearness == Nearness::ByDepth)
+            hidden_below = std::max(hidden_below, candidate.depth.min);
         candidates_.push_back(candidate);
         if (whole && nearness == Nearness::InOrder) break;
     }

@@ -139,7 +139,8 @@ bool ClosedLayer::find(PixelIndex pixel, const ProjectedFaces& faces, const std:
         const double share = sign * moments.area;
         area += share;
         w_min_ = std::min(w_min_, candidates[m].w_min);
-        if (share > kLeastShare) parts_.push_back(part_with(face, {share, sign * moments.x, sign * moments.y}));
+        if (share > kLeastShare)
+            parts_.push_back(part_with(face, {share, sign * moments.x, sign * moments.y}));
     }
     return std::abs(area - 1) < 0.25;  // a whole number, rounded by far less
 }

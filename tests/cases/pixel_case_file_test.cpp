@@ -160,7 +160,8 @@ TEST_CASE("pixel_case_line: the line names the same case again", "[cases]") {
 
 TEST_CASE("PixelCaseReader: the whole collection of degenerate cases can be read", "[cases][degenerate]") {
     int cases = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(KEIKAN_SOURCE_DIR "/data/degenerate")) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(KEIKAN_SOURCE_DIR "/data/degenerate")) {
         if (entry.path().extension() != ".jsonl") continue;
         std::ifstream file(entry.path());
         PixelCaseReader reader(file, entry.path().filename().string());

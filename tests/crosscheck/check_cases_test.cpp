@@ -105,7 +105,8 @@ TEST_CASE("summary_json: has every key that others rely on", "[crosscheck]") {
     CHECK(json["polygons"] == 1);
     CHECK(json["max_area_error"] <= kVisibleAreaError);
     CHECK(json["max_sum_error"] <= kVisibleAreaError);
-    // The face's four corners against the pixel's border, two of them on its corners and two inside its sides.
+    // The face's four corners against the pixel's border, two of them on its corners and two inside its
+    // sides.
     CHECK(json["classification"]["checked"] > 0);
     CHECK(json["classification"]["mismatches"] == 0);
     CHECK(json["oracle"] == nlohmann::json{{"cgal", 1}, {"rational", 1}, {"quad", 1}, {"certified", 1}});

@@ -25,7 +25,8 @@ TEST_CASE("check_contacts: the product's contacts are the exact ones", "[crossch
     CHECK_FALSE(contact_mismatch({kSubject, kClip, contacts}, exact));
 }
 
-TEST_CASE("check_contacts: every planted mistake in a contact is reported", "[crosscheck][contacts][planted]") {
+TEST_CASE("check_contacts: every planted mistake in a contact is reported",
+          "[crosscheck][contacts][planted]") {
     const std::vector<Contact> exact = oracle::exact_intersections(kSubject, kClip);
     REQUIRE(exact.size() >= 2);
     const auto reported = [&](auto change) {
@@ -42,8 +43,10 @@ TEST_CASE("check_contacts: every planted mistake in a contact is reported", "[cr
     CHECK(reported([](auto& c) { std::swap(c[0], c[1]); }));
 }
 
-TEST_CASE("check_contacts: counts the contacts of a pixel with two faces through each other", "[crosscheck][contacts]") {
-    const Ring low{{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}}, high{{0.2, 0}, {0.8, 0}, {0.8, 1}, {0.2, 1}};
+TEST_CASE("check_contacts: counts the contacts of a pixel with two faces through each other",
+          "[crosscheck][contacts]") {
+    const Ring low{{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}},
+        high{{0.2, 0}, {0.8, 0}, {0.8, 1}, {0.2, 1}};
     const FaceView faces[] = {{0, low, {1, 0, 0}}, {1, high, {-1, 0, 1}}};  // equal along x = 1/2
     ContactCheck check;
     PixelVerdict verdict;

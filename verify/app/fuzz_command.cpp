@@ -32,7 +32,8 @@ std::vector<fuzz::Family> families_of(const std::vector<std::string>& names) {
     std::vector<fuzz::Family> families;
     for (const std::string& name : names) {
         if (name == "all") {
-            for (std::size_t f = 0; f < fuzz::kFamilyNames.size(); ++f) families.push_back(static_cast<fuzz::Family>(f));
+            for (std::size_t f = 0; f < fuzz::kFamilyNames.size(); ++f)
+                families.push_back(static_cast<fuzz::Family>(f));
         } else if (const auto family = fuzz::family_of(name)) {
             families.push_back(*family);
         } else {
@@ -44,12 +45,14 @@ std::vector<fuzz::Family> families_of(const std::vector<std::string>& names) {
     return families;
 }
 
-/// A finding as a pixel case of its own, named after its id; written whole, so that whatever happens later keeps it.
+/// A finding as a pixel case of its own, named after its id; written whole, so that whatever happens later
+/// keeps it.
 void save(const std::string& folder, const PixelCase& pixel_case) {
     std::string name = pixel_case.id;
     for (char& c : name)
         if (c == '/') c = '-';
-    write_whole_file((std::filesystem::path(folder) / (name + ".jsonl")).string(), pixel_case_line(pixel_case) + "\n");
+    write_whole_file((std::filesystem::path(folder) / (name + ".jsonl")).string(),
+                     pixel_case_line(pixel_case) + "\n");
 }
 
 void run_fuzz(const FuzzCommand& command, CommonOptions& common) {
@@ -68,19 +71,21 @@ void run_fuzz(const FuzzCommand& command, CommonOptions& common) {
     // Families take turns, so that a run cut short by time has seen them all.
     std::uint64_t made = 0;
     const auto next = [&]() -> std::optional<PixelCase> {
-        const bool over = command.seconds > 0 ? made % 512 == 0 && elapsed() >= command.seconds : made >= command.count;
+        const bool over =
+            command.seconds > 0 ? made % 512 == 0 && elapsed() >= command.seconds : made >= command.count;
         if (over) return std::nullopt;
         const std::uint64_t n = made++;
         return fuzz::degenerate_case(families[n % families.size()], common.seed, n / families.size());
     };
-    crosscheck::CheckSummary summary =
-        crosscheck::check_cases(next, options, [&](const PixelCase& pixel_case, const crosscheck::PixelVerdict&) {
+    crosscheck::CheckSummary summary = crosscheck::check_cases(
+        next, options, [&](const PixelCase& pixel_case, const crosscheck::PixelVerdict&) {
             if (!command.save.empty()) save(command.save, pixel_case);
         });
     summary.seconds = elapsed();
     tell_verdict(summary, crosscheck::summary_json(summary), common, [&](const crosscheck::Disagreement& d) {
-        return fmt::format("keikan-verify fuzz --family {} --seed {} --save DIR; keikan-verify areas DIR/*.jsonl",
-                           d.case_id.substr(0, d.case_id.find('/')), common.seed);
+        return fmt::format(
+            "keikan-verify fuzz --family {} --seed {} --save DIR; keikan-verify areas DIR/*.jsonl",
+            d.case_id.substr(0, d.case_id.find('/')), common.seed);
     });
 }
 
@@ -89,7 +94,8 @@ void run_fuzz(const FuzzCommand& command, CommonOptions& common) {
 void add_fuzz_command(CLI::App& app, CommonOptions& common) {
     auto* const sub = app.add_subcommand("fuzz", "Degenerate random pixels, float against exact");
     const auto command = std::make_shared<FuzzCommand>();
-    sub->add_option("--family", command->families, "Which kinds of degenerate pixels, separated by commas, or all")
+    sub->add_option("--family", command->families,
+                    "Which kinds of degenerate pixels, separated by commas, or all")
         ->delimiter(',')
         ->capture_default_str();
     sub->add_option("--count", command->count, "Pixels")->capture_default_str();
@@ -97,7 +103,8 @@ void add_fuzz_command(CLI::App& app, CommonOptions& common) {
     sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
         ->capture_default_str();
     sub->add_option("--save", command->save, "Folder for the findings, a pixel case each");
-    sub->add_flag("--no-contacts", command->no_contacts, "Areas only: do not classify the clipper's contacts");
+    sub->add_flag("--no-contacts", command->no_contacts,
+                  "Areas only: do not classify the clipper's contacts");
     sub->callback([command, &common] { run_fuzz(*command, common); });
 }
 

@@ -60,7 +60,8 @@ CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCh
     return check_cases([&] { return reader.next(); }, options);
 }
 
-CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next, const CaseCheckOptions& options,
+CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next,
+                         const CaseCheckOptions& options,
                          const std::function<void(const PixelCase&, const PixelVerdict&)>& finding) {
     CheckSummary summary;
     for (std::uint64_t first = 0;;) {

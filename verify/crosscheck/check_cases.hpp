@@ -29,9 +29,10 @@ struct CaseCheckOptions {
 /// Errors:     InputError, as PixelCaseReader.
 CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCheckOptions& options);
 
-/// The same for the cases that `next` gives, one after the other, until it gives none. `finding` is called, in
-/// their order, with each case that has a disagreement.
-CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next, const CaseCheckOptions& options,
+/// The same for the cases that `next` gives, one after the other, until it gives none. `finding` is called,
+/// in their order, with each case that has a disagreement.
+CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next,
+                         const CaseCheckOptions& options,
                          const std::function<void(const PixelCase&, const PixelVerdict&)>& finding = {});
 
 /// One case; `index` is its place in the file.

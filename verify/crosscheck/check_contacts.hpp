@@ -11,12 +11,12 @@
 
 namespace keikan::crosscheck {
 
-/// What is wrong with the contacts of one clip step, in words; nothing if class, turn and both indices of every
-/// contact are those that the exact oracle finds, in the same order.
+/// What is wrong with the contacts of one clip step, in words; nothing if class, turn and both indices of
+/// every contact are those that the exact oracle finds, in the same order.
 std::optional<std::string> contact_mismatch(const ClipStep& step, std::span<const Contact> exact);
 
-/// Clips the faces of pixels by the paper's clipper (Engine::Traversal) and puts every contact of every clip step
-/// to oracle::exact_intersections. One object a thread.
+/// Clips the faces of pixels by the paper's clipper (Engine::Traversal) and puts every contact of every clip
+/// step to oracle::exact_intersections. One object a thread.
 class ContactCheck {
   public:
     ContactCheck();

@@ -21,7 +21,8 @@ struct SceneCheckOptions {
     /// The scan divides pixels with Engine::Splitting. Another engine is asked about the divided pixels
     /// beside it, and answers for them; everything else is the scan's.
     Engine engine = Engine::Splitting;
-    bool contacts = true;    ///< classify every contact of the paper's clipper too, wherever the oracle is asked
+    bool contacts =
+        true;  ///< classify every contact of the paper's clipper too, wherever the oracle is asked
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// One pixel in so many is put, with every face whose bounding box meets it, to rational splitting and to
     /// CGAL's Boolean set operations, whatever the cheaper rungs say.

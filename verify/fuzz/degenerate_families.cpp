@@ -35,7 +35,9 @@ double ulps(double value, int steps) {
     return value;
 }
 
-Point between(Point a, Point b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+Point between(Point a, Point b, double t) {
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
 
 /// Generators of one case. Each fills `rings`; those about nearness fill `planes` as well.
 class Generator {
@@ -48,29 +50,52 @@ class Generator {
 
     void make(Family family) {
         switch (family) {
-            case Family::Random: return repeat(2, 7, [&] { return any_polygon(-0.4, 1.4); });
-            case Family::Grid8: return repeat(2, 7, [&] { return grid_polygon(8); });
-            case Family::Grid4: return repeat(2, 7, [&] { return grid_polygon(4); });
-            case Family::Fan: return fan();
-            case Family::MeshLayers: return mesh_layers();
-            case Family::TJunction: return t_junctions(true);
-            case Family::RoundedTJunction: return t_junctions(false);
-            case Family::Sliver: return repeat(2, 6, [&] { return sliver(); });
-            case Family::NearParallel: return near_parallel();
-            case Family::Collinear: return collinear();
-            case Family::UlpTwins: return ulp_twins();
-            case Family::Nested: return nested();
-            case Family::Border: return repeat(2, 7, [&] { return border_polygon(); });
-            case Family::Identical: return identical();
-            case Family::TouchingInside: return touching_inside();
-            case Family::Notch: return notch();
-            case Family::Duplicates: return duplicates();
-            case Family::Denormal: return repeat(2, 5, [&] { return denormal_polygon(); });
-            case Family::Huge: return huge();
-            case Family::Cyclic: return cyclic();
-            case Family::Interpenetrating: return interpenetrating();
-            case Family::Coplanar: return coplanar();
-            case Family::Mixed: return mixed();
+            case Family::Random:
+                return repeat(2, 7, [&] { return any_polygon(-0.4, 1.4); });
+            case Family::Grid8:
+                return repeat(2, 7, [&] { return grid_polygon(8); });
+            case Family::Grid4:
+                return repeat(2, 7, [&] { return grid_polygon(4); });
+            case Family::Fan:
+                return fan();
+            case Family::MeshLayers:
+                return mesh_layers();
+            case Family::TJunction:
+                return t_junctions(true);
+            case Family::RoundedTJunction:
+                return t_junctions(false);
+            case Family::Sliver:
+                return repeat(2, 6, [&] { return sliver(); });
+            case Family::NearParallel:
+                return near_parallel();
+            case Family::Collinear:
+                return collinear();
+            case Family::UlpTwins:
+                return ulp_twins();
+            case Family::Nested:
+                return nested();
+            case Family::Border:
+                return repeat(2, 7, [&] { return border_polygon(); });
+            case Family::Identical:
+                return identical();
+            case Family::TouchingInside:
+                return touching_inside();
+            case Family::Notch:
+                return notch();
+            case Family::Duplicates:
+                return duplicates();
+            case Family::Denormal:
+                return repeat(2, 5, [&] { return denormal_polygon(); });
+            case Family::Huge:
+                return huge();
+            case Family::Cyclic:
+                return cyclic();
+            case Family::Interpenetrating:
+                return interpenetrating();
+            case Family::Coplanar:
+                return coplanar();
+            case Family::Mixed:
+                return mixed();
         }
     }
 
@@ -84,7 +109,9 @@ class Generator {
         for (int n = random_.whole(fewest, most); n > 0; --n) rings.push_back(make());
     }
 
-    Point any_point(double low, double high) { return {random_.between(low, high), random_.between(low, high)}; }
+    Point any_point(double low, double high) {
+        return {random_.between(low, high), random_.between(low, high)};
+    }
 
     Ring any_polygon(double low, double high) {
         Ring points;
@@ -93,7 +120,9 @@ class Generator {
     }
 
     Point grid_point(int divisions) {
-        const auto coordinate = [&] { return random_.whole(-1, divisions + 1) / static_cast<double>(divisions); };
+        const auto coordinate = [&] {
+            return random_.whole(-1, divisions + 1) / static_cast<double>(divisions);
+        };
         const double x = coordinate();
         return {x, coordinate()};
     }
@@ -124,7 +153,8 @@ class Generator {
         Ring vertices;
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x)
-                vertices.push_back({0.5 * x + random_.between(-0.15, 0.15), 0.5 * y + random_.between(-0.15, 0.15)});
+                vertices.push_back(
+                    {0.5 * x + random_.between(-0.15, 0.15), 0.5 * y + random_.between(-0.15, 0.15)});
         const auto at = [&](int x, int y) { return vertices[static_cast<std::size_t>(y * kSide + x)]; };
         for (int layer = 0; layer < 2; ++layer)
             for (int cell = 0; cell < 4; ++cell) {
@@ -137,7 +167,8 @@ class Generator {
                 if (random_.chance(0.7)) rings.push_back(rising ? Ring{a, c, d} : Ring{b, c, d});
             }
         if (rings.empty()) rings.push_back({at(0, 0), at(1, 0), at(0, 1)});
-        std::rotate(rings.begin(), rings.begin() + random_.whole(0, static_cast<int>(rings.size()) - 1), rings.end());
+        std::rotate(rings.begin(), rings.begin() + random_.whole(0, static_cast<int>(rings.size()) - 1),
+                    rings.end());
     }
 
     /// A vertex of each further polygon lies on an edge of one before: exactly (halves of dyadic points), or
@@ -145,7 +176,8 @@ class Generator {
     void t_junctions(bool exact) {
         rings.push_back(exact ? grid_polygon(8) : any_polygon(0, 1));
         for (int n = random_.whole(1, 5); n > 0; --n) {
-            const Ring& base = rings[static_cast<std::size_t>(random_.whole(0, static_cast<int>(rings.size()) - 1))];
+            const Ring& base =
+                rings[static_cast<std::size_t>(random_.whole(0, static_cast<int>(rings.size()) - 1))];
             if (base.size() < 2) continue;
             const auto edge = static_cast<std::size_t>(random_.whole(0, static_cast<int>(base.size()) - 1));
             const Point a = base[edge];
@@ -153,14 +185,17 @@ class Generator {
             const double t = exact ? random_.whole(0, 4) / 4.0 : random_.unit();
             const double s = exact ? random_.whole(0, 4) / 4.0 : random_.unit();
             Ring points{between(a, b, t), exact ? grid_point(8) : any_point(-0.2, 1.2)};
-            points.push_back(random_.chance(0.5) ? between(a, b, s) : exact ? grid_point(8) : any_point(-0.2, 1.2));
+            points.push_back(random_.chance(0.5) ? between(a, b, s)
+                             : exact             ? grid_point(8)
+                                                 : any_point(-0.2, 1.2));
             rings.push_back(hull(points));
         }
     }
 
     Ring sliver() {
         const Point a = any_point(-0.3, 1.3);
-        const Point b = random_.chance(0.3) && !rings.empty() && !rings[0].empty() ? rings[0][0] : any_point(-0.3, 1.3);
+        const Point b =
+            random_.chance(0.3) && !rings.empty() && !rings[0].empty() ? rings[0][0] : any_point(-0.3, 1.3);
         const double thickness = std::pow(10.0, random_.between(-9, -3));
         const Point across{-(b.y - a.y) * thickness, (b.x - a.x) * thickness};
         Ring points{a, b, {b.x + across.x, b.y + across.y}};
@@ -217,7 +252,8 @@ class Generator {
     Ring border_polygon() {
         const auto coordinate = [&](bool on_border) {
             if (on_border) return static_cast<double>(random_.whole(0, 1));
-            return random_.chance(0.2) ? ulps(random_.whole(0, 1), random_.whole(-1, 1)) : random_.between(-0.5, 1.5);
+            return random_.chance(0.2) ? ulps(random_.whole(0, 1), random_.whole(-1, 1))
+                                       : random_.between(-0.5, 1.5);
         };
         Ring points;
         for (int n = random_.whole(3, 5); n > 0; --n) {
@@ -232,7 +268,8 @@ class Generator {
         repeat(2, 6, [&] {
             Ring again = original;
             if (!again.empty())
-                std::rotate(again.begin(), again.begin() + random_.whole(0, static_cast<int>(again.size()) - 1),
+                std::rotate(again.begin(),
+                            again.begin() + random_.whole(0, static_cast<int>(again.size()) - 1),
                             again.end());
             if (random_.chance(0.5)) std::reverse(again.begin(), again.end());
             return random_.chance(0.2) ? any_polygon(-0.2, 1.2) : again;
@@ -272,7 +309,8 @@ class Generator {
             Ring doubled;
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 for (int n = random_.whole(1, 3); n > 0; --n) doubled.push_back(ring[i]);
-                if (random_.chance(0.4)) doubled.push_back(between(ring[i], ring[(i + 1) % ring.size()], 0.5));
+                if (random_.chance(0.4))
+                    doubled.push_back(between(ring[i], ring[(i + 1) % ring.size()], 0.5));
             }
             if (ring.size() < 3) doubled = ring;
             return doubled;
@@ -282,12 +320,18 @@ class Generator {
     Ring denormal_polygon() {
         const auto coordinate = [&]() -> double {
             switch (random_.whole(0, 5)) {
-                case 0: return random_.chance(0.5) ? 0.0 : -0.0;
-                case 1: return random_.between(-1, 1) * 1e-300;
-                case 2: return random_.whole(-3, 3) * 4.9406564584124654e-324;
-                case 3: return random_.between(-1, 1) * 0x1p-53;
-                case 4: return random_.whole(0, 1);
-                default: return random_.unit();
+                case 0:
+                    return random_.chance(0.5) ? 0.0 : -0.0;
+                case 1:
+                    return random_.between(-1, 1) * 1e-300;
+                case 2:
+                    return random_.whole(-3, 3) * 4.9406564584124654e-324;
+                case 3:
+                    return random_.between(-1, 1) * 0x1p-53;
+                case 4:
+                    return random_.whole(0, 1);
+                default:
+                    return random_.unit();
             }
         };
         Ring points;
@@ -300,16 +344,18 @@ class Generator {
 
     void huge() {
         pixel = {4095, 2159};
-        const auto near = [&] { return Point{4095 + random_.between(-0.5, 1.5), 2159 + random_.between(-0.5, 1.5)}; };
+        const auto near = [&] {
+            return Point{4095 + random_.between(-0.5, 1.5), 2159 + random_.between(-0.5, 1.5)};
+        };
         repeat(2, 6, [&] {
             Ring points;
             for (int n = random_.whole(3, 4); n > 0; --n) {
                 const double angle = random_.between(0, 6.283185307179586);
                 const double reach = std::pow(10.0, random_.between(0, 6));
                 const Point from = near();
-                points.push_back(random_.chance(0.25)
-                                     ? from
-                                     : Point{from.x + reach * std::cos(angle), from.y + reach * std::sin(angle)});
+                points.push_back(random_.chance(0.25) ? from
+                                                      : Point{from.x + reach * std::cos(angle),
+                                                              from.y + reach * std::sin(angle)});
             }
             return hull(points);
         });
@@ -339,7 +385,8 @@ class Generator {
         const Point common = any_point(0.2, 0.8);
         for (std::size_t i = 0; i < rings.size(); ++i) {
             DepthPlane plane = random_plane();
-            if (random_.chance(0.5)) plane.c = -(plane.a * common.x + plane.b * common.y);  // through one point, nearly
+            if (random_.chance(0.5))
+                plane.c = -(plane.a * common.x + plane.b * common.y);  // through one point, nearly
             planes.push_back(plane);
         }
     }
@@ -393,7 +440,8 @@ PixelCase degenerate_case(Family family, std::uint64_t seed, std::uint64_t index
         result.depth = std::move(generator.planes);
     } else if (random.chance(0.25)) {
         result.depth.emplace();
-        for (std::size_t i = 0; i < result.polygons.size(); ++i) result.depth->push_back(generator.random_plane());
+        for (std::size_t i = 0; i < result.polygons.size(); ++i)
+            result.depth->push_back(generator.random_plane());
     }
     return result;
 }

@@ -94,12 +94,14 @@ class Meeting {
                 found.push_back(make(ContactClass::ClipVertex, i, j, exact_b_[j]));
             if (!boxes_meet(a_[i], a_[to], b_[j], b_[k])) continue;
             const std::optional<ExactPoint> p = meeting_point(edge, Segment(exact_b_[j], exact_b_[k]));
-            if (!p || *p == exact_a_[i] || *p == exact_a_[to] || *p == exact_b_[j] || *p == exact_b_[k]) continue;
+            if (!p || *p == exact_a_[i] || *p == exact_a_[to] || *p == exact_b_[j] || *p == exact_b_[k])
+                continue;
             found.push_back(make(ContactClass::EdgeEdge, i, j, *p));
         }
         const CGAL::Comparison_result forwards = CGAL::compare_xy(exact_a_[i], exact_a_[to]);
-        std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
-                  [&](const Found& p, const Found& q) { return CGAL::compare_xy(p.point, q.point) == forwards; });
+        std::sort(
+            found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+            [&](const Found& p, const Found& q) { return CGAL::compare_xy(p.point, q.point) == forwards; });
     }
 
     /// Whether the part of the boundary between two neighbouring points of one edge lies outside.
@@ -108,10 +110,12 @@ class Meeting {
                CGAL::ON_UNBOUNDED_SIDE;
     }
 
-    /// The parts before and after each contact reach to its neighbours on the same edge, or to the edge's ends.
+    /// The parts before and after each contact reach to its neighbours on the same edge, or to the edge's
+    /// ends.
     void set_turns(std::vector<Found>& found) const {
         const auto at_vertex = [](const Found& f) {
-            return f.contact.kind == ContactClass::SubjectVertex || f.contact.kind == ContactClass::SharedVertex;
+            return f.contact.kind == ContactClass::SubjectVertex ||
+                   f.contact.kind == ContactClass::SharedVertex;
         };
         for (std::size_t f = 0; f < found.size(); ++f) {
             Found& here = found[f];
@@ -122,7 +126,8 @@ class Meeting {
             for (std::size_t g = 0; g < found.size(); ++g) {
                 if (at_vertex(found[g]) || g == f) continue;
                 // Contacts inside an edge stand in order: the last before, the first behind.
-                const bool on_edge_before = found[g].contact.subject == edge_before && (at_vertex(here) || g < f);
+                const bool on_edge_before =
+                    found[g].contact.subject == edge_before && (at_vertex(here) || g < f);
                 const bool on_edge_after = found[g].contact.subject == i && (at_vertex(here) || g > f);
                 if (on_edge_before && (!at_vertex(here) || edge_before != i)) from = found[g].point;
                 if (on_edge_after && to == exact_a_[after(i)]) to = found[g].point;

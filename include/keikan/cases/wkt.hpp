@@ -7,9 +7,9 @@
 
 namespace keikan {
 
-/// The ring of a well-known text "POLYGON ((x y, x y, ...))", without its repeated last point. Letters of either
-/// case; coordinates decimal or C hexadecimal, each exactly the double it names. Consecutive equal points count
-/// as one; a polygon may have any number of points, "POLYGON EMPTY" has none.
+/// The ring of a well-known text "POLYGON ((x y, x y, ...))", without its repeated last point. Letters of
+/// either case; coordinates decimal or C hexadecimal, each exactly the double it names. Consecutive equal
+/// points count as one; a polygon may have any number of points, "POLYGON EMPTY" has none.
 ///
 /// Errors: InputError naming `name`, the column and the reason: another kind of geometry, a second ring (a
 ///         hole), a number that is not finite, a ring that does not end where it begins.

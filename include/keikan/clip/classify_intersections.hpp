@@ -20,13 +20,15 @@ namespace keikan {
 ///   (2) Enters and Leaves alternate (Touches aside), so there are as many of each.
 ///   (3) Reversing `subject` swaps Enters and Leaves. Starting either ring elsewhere changes only indices.
 ///   (4) A run of boundary that both share has contacts at the vertices on it, and nowhere else.
-///   (5) An edge of `subject` has at most two contacts inside it; if two, the first enters and the second leaves.
+///   (5) An edge of `subject` has at most two contacts inside it; if two, the first enters and the second
+///   leaves.
 ///
 /// Requires: `subject`: at least three points, consecutive ones differ; it may be concave, touch itself and
 ///           (where rounding made it so) cross itself. `clip`: exactly strictly convex, turning from +x
 ///           towards +y. Finite coordinates.
 /// Exact:    everything but the point of EdgeEdge: every choice is the sign of an orient2d of given points.
-/// Error:    an EdgeEdge point is within kCrossingError times the extent of the subject's edge of both edges' lines
+/// Error:    an EdgeEdge point is within kCrossingError times the extent of the subject's edge of both edges'
+/// lines
 ///           (along nearly parallel edges it may be further from the exact crossing).
 /// Cost:     subject.size() * clip.size() orientations.
 /// Paper:    section 3.2.1, Fig. 4 (a) to (e). Departure D1: case (4) follows the rule of (1) to (3).
@@ -56,7 +58,9 @@ class IntersectionClassifier {
         std::uint32_t clip = 0;  ///< the edge or vertex that it is on
     };
 
-    std::int8_t side(std::size_t vertex, std::size_t edge) const { return sides_[vertex * clip_.size() + edge]; }
+    std::int8_t side(std::size_t vertex, std::size_t edge) const {
+        return sides_[vertex * clip_.size() + edge];
+    }
     bool outside_wedge(std::size_t vertex, std::size_t clip_vertex) const;
     void measure_sides();
     Location locate(std::size_t vertex) const;
@@ -81,8 +85,8 @@ class IntersectionClassifier {
     bool reaches_outside_ = false;
 };
 
-/// Error of a crossing point per unit of the subject edge's extent: half a unit in the last place each for the
-/// two side values, their difference, the quotient, the product and the sum (docs/numerics.md).
+/// Error of a crossing point per unit of the subject edge's extent: half a unit in the last place each for
+/// the two side values, their difference, the quotient, the product and the sum (docs/numerics.md).
 inline constexpr double kCrossingError = 4.5e-16;
 
 }  // namespace keikan

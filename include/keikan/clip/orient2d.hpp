@@ -7,7 +7,9 @@ namespace keikan {
 /// The answer of a question about a sign.
 enum class Sign { Negative = -1, Zero = 0, Positive = 1 };
 
-constexpr Sign operator-(Sign sign) { return static_cast<Sign>(-static_cast<int>(sign)); }
+constexpr Sign operator-(Sign sign) {
+    return static_cast<Sign>(-static_cast<int>(sign));
+}
 
 /// The side of the line a -> b on which c lies: Positive when a -> b -> c turns from +x towards +y,
 /// Zero when the three points lie on one line or two of them coincide.

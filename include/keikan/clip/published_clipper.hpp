@@ -9,15 +9,16 @@
 
 namespace keikan {
 
-/// Where the paper is silent or where its rule does not hold up, one choice each. The defaults are the paper as
-/// printed; what it leaves open is read as Weiler and Atherton, whom it follows, would.
+/// Where the paper is silent or where its rule does not hold up, one choice each. The defaults are the paper
+/// as printed; what it leaves open is read as Weiler and Atherton, whom it follows, would.
 struct PublishedReading {
     enum class Start {
         AnyVertex,      ///< 3.2.2 (1) to the letter: any vertex of the subject not yet visited
         OutsideVertex,  ///< a vertex strictly outside the clipper: what a search for the outside must mean
     };
     enum class Hole {
-        Deferred,  ///< Fig. 3: the area of j is subtracted at the end (departure D2: twice, where a later j overlaps)
+        Deferred,  ///< Fig. 3: the area of j is subtracted at the end (departure D2: twice, where a later j
+                   ///< overlaps)
         Signed,    ///< a piece of sign -1 that later clippers clip
     };
     enum class SharedVertex {
@@ -35,8 +36,8 @@ struct PublishedTroubles {
     std::uint64_t odd_intersections = 0;  ///< clip steps with an odd number of intersections
 };
 
-/// Section 3.2 as printed, in plain double arithmetic: Fig. 3, the four cases of 3.2.1 and the search of 3.2.2,
-/// to be read with the paper open beside it. It is studied, not used: its areas may be wrong.
+/// Section 3.2 as printed, in plain double arithmetic: Fig. 3, the four cases of 3.2.1 and the search
+/// of 3.2.2, to be read with the paper open beside it. It is studied, not used: its areas may be wrong.
 ///
 /// Properties:
 ///   (1) It ends: a search takes at most as many steps as there are vertices and intersections, twice over,
@@ -68,7 +69,8 @@ class PublishedClipper {
     /// The pieces of A outside B (3.2.2).
     std::vector<Ring> search_vertices(const Ring& a, const Ring& b, std::span<const Contact> intersections);
 
-    /// The pieces of polygon i in the last visible_areas; an empty ring is one that a later polygon hid wholly.
+    /// The pieces of polygon i in the last visible_areas; an empty ring is one that a later polygon hid
+    /// wholly.
     std::span<const Piece> pieces_of(std::size_t i) const { return pieces_[i]; }
 
     const PublishedTroubles& troubles() const { return troubles_; }

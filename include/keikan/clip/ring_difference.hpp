@@ -96,8 +96,8 @@ class RingDifference {
     std::span<const Point> subject_;
     std::span<const Point> clip_;
     std::span<const Contact> contacts_;
-    std::vector<std::uint32_t> turns_;       ///< contacts that enter or leave, along the subject
-    std::vector<Station> stations_;          ///< the same, along the clipper
+    std::vector<std::uint32_t> turns_;  ///< contacts that enter or leave, along the subject
+    std::vector<Station> stations_;     ///< the same, along the clipper
     std::vector<std::uint32_t> turn_of_contact_;
     std::vector<std::uint32_t> station_of_turn_;
     std::vector<std::uint32_t> open_leaves_;

@@ -42,7 +42,8 @@ struct ClipStatistics {
 ///   (4) The result is the same for either orientation of an outline and for every start vertex.
 ///   (5) The same faces moved by whole pixels, where that is exact, give the same bits.
 ///   (6) Faces may pass through each other and overlap in a cycle.
-///   (7) A face that alone is seen in the pixel, and all over it, has area 1 and centroid (1/2, 1/2), exactly.
+///   (7) A face that alone is seen in the pixel, and all over it, has area 1 and centroid (1/2, 1/2),
+///   exactly.
 /// Engine::Published promises none of them; under Nearness::ByDepth it lists the faces by w in their middle.
 ///
 /// Requires: convex outlines (repeated points and outlines without area are allowed), finite numbers.

@@ -23,15 +23,16 @@ struct PixelCoverage {
 
 /// One convex piece of a face's visible region; a face may have many.
 struct VisiblePiece {
-    std::uint32_t face = 0;         ///< position in the list of faces; kBackground for what stays free
-    std::span<const Point> ring;    ///< pixel-local
+    std::uint32_t face = 0;       ///< position in the list of faces; kBackground for what stays free
+    std::span<const Point> ring;  ///< pixel-local
     static constexpr std::uint32_t kBackground = 0xFFFFFFFFu;
 };
 
-/// One ring of a face's visible outline: a point is seen as often as the sum of sign times winding number says.
+/// One ring of a face's visible outline: a point is seen as often as the sum of sign times winding number
+/// says.
 struct VisibleOutline {
-    std::uint32_t face = 0;       ///< position in the list of faces; VisiblePiece::kBackground for what stays free
-    int sign = 1;                 ///< -1: a hole
+    std::uint32_t face = 0;  ///< position in the list of faces; VisiblePiece::kBackground for what stays free
+    int sign = 1;            ///< -1: a hole
     std::span<const Point> ring;  ///< pixel-local
 };
 

@@ -21,7 +21,8 @@ struct HeightSlopeRamp {
     float steep_full_deg = 50;      ///< ... to `steep`
 };
 
-/// Phong reflection in linear light: ambient * albedo + sun * (diffuse * albedo * cos + specular * cos^exponent).
+/// Phong reflection in linear light: ambient * albedo + sun * (diffuse * albedo * cos + specular *
+/// cos^exponent).
 struct Material {
     std::string name;
     Rgb colour{0.5f, 0.5f, 0.5f};  ///< albedo
@@ -33,7 +34,7 @@ struct Material {
 
 /// The lights of the scene, all in linear light.
 struct Light {
-    glm::dvec3 to_sun{0, 0, 1};      ///< unit vector
+    glm::dvec3 to_sun{0, 0, 1};  ///< unit vector
     Rgb sun{1, 1, 1};
     Rgb sky_ambient{0.3f, 0.35f, 0.45f};     ///< on faces that look up; blends by the normal's z ...
     Rgb ground_ambient{0.12f, 0.11f, 0.1f};  ///< ... to this on faces that look down

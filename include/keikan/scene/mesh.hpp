@@ -12,7 +12,7 @@ namespace keikan {
 /// corners[face_begin[f]] ... corners[face_begin[f + 1] - 1], indices into `positions`.
 struct Mesh {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec3> normals;           ///< empty: flat shading; else one for each position
+    std::vector<glm::vec3> normals;  ///< empty: flat shading; else one for each position
     std::vector<std::uint32_t> corners;
     std::vector<std::uint32_t> face_begin{0};  ///< faces + 1 values
     std::vector<std::uint16_t> face_material;  ///< one for each face: index into Scene::materials
@@ -48,7 +48,7 @@ struct Object {
 struct Geometry {
     std::vector<Object> objects;
     std::vector<std::uint32_t> first_face;  ///< objects + 1 values; the last is the number of faces
-    std::vector<std::string> notes;         ///< worth telling: voids filled, faces triangulated, levels of detail
+    std::vector<std::string> notes;  ///< worth telling: voids filled, faces triangulated, levels of detail
 };
 
 }  // namespace keikan
