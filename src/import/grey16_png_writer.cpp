@@ -23,11 +23,13 @@ bool write(png_structp png, png_infop info, int columns, int rows, std::span<con
     png_set_compression_level(png, 9);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);  // neighbouring rows of ground are alike
     png_set_IHDR(png, info, static_cast<png_uint_32>(columns), static_cast<png_uint_32>(rows), 16,
-                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
     for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
-        png_write_row(png, reinterpret_cast<png_const_bytep>(values.data() + row * static_cast<std::size_t>(columns)));
+        png_write_row(
+            png, reinterpret_cast<png_const_bytep>(values.data() + row * static_cast<std::size_t>(columns)));
     }
     png_write_end(png, info);
     return true;

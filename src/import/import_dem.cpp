@@ -26,7 +26,7 @@ namespace {
 constexpr double kWarpNoData = -1e30;  ///< in 32-bit float; no height is near it
 constexpr int kVoidValue = 65535;
 constexpr int kLargestValue = 65534;
-constexpr double kMostSamples = 1 << 28;
+constexpr double kMostSamples = 1 << 26;
 
 struct Close {
     void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
@@ -78,8 +78,8 @@ std::string utm_zone_of(GDALDataset& source, const DemImport& request) {
 }
 
 Dataset reprojected(GDALDataset& source, const DemImport& request) {
-    std::vector<std::string> words{"-of", "MEM", "-ot", "Float32", "-r", "cubic",
-                                   "-dstnodata", fmt::format("{}", kWarpNoData)};
+    std::vector<std::string> words{"-of", "MEM",   "-ot",        "Float32",
+                                   "-r",  "cubic", "-dstnodata", fmt::format("{}", kWarpNoData)};
     const bool keeps_frame = !request.srs && is_north_up_metric(source);
     if (!keeps_frame) {
         words.insert(words.end(), {"-t_srs", request.srs ? *request.srs : utm_zone_of(source, request)});
@@ -107,7 +107,8 @@ Dataset reprojected(GDALDataset& source, const DemImport& request) {
 
 double metres_per_unit(GDALRasterBand& band, const DemImport& request) {
     const std::string unit = band.GetUnitType();
-    if (unit.empty() || unit == "m" || unit == "metre" || unit == "meter" || unit == "metres" || unit == "meters") {
+    if (unit.empty() || unit == "m" || unit == "metre" || unit == "meter" || unit == "metres" ||
+        unit == "meters") {
         return 1;
     }
     if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
@@ -127,7 +128,8 @@ Heights heights_of(GDALDataset& dataset, double metres_per_value, double offset_
     heights.west_m = g[0] + g[1] / 2;  // GDAL counts from the outer corner of the first cell
     heights.north_m = g[3] + g[5] / 2;
     const GDALDataType type = band.GetRasterDataType();
-    heights.whole_numbers = type != GDT_Float32 && type != GDT_Float64 && metres_per_value == 1 && offset_m == 0;
+    heights.whole_numbers =
+        type != GDT_Float32 && type != GDT_Float64 && metres_per_value == 1 && offset_m == 0;
     if (static_cast<double>(heights.columns) * heights.rows > kMostSamples) {
         fail(request, fmt::format("{} x {} samples are too many; choose a --window or a wider --spacing",
                                   heights.columns, heights.rows));
@@ -140,7 +142,8 @@ Heights heights_of(GDALDataset& dataset, double metres_per_value, double offset_
     int has_no_data = 0;
     const double no_data = band.GetNoDataValue(&has_no_data);
     for (double& height : heights.metres) {
-        const bool is_void = !std::isfinite(height) || (has_no_data != 0 && height == no_data) || height <= -1e29;
+        const bool is_void =
+            !std::isfinite(height) || (has_no_data != 0 && height == no_data) || height <= -1e29;
         height = is_void ? std::numeric_limits<double>::quiet_NaN() : offset_m + metres_per_value * height;
     }
     return heights;
@@ -161,16 +164,17 @@ struct Encoding {
     double step_m = 1;
     std::uint16_t value(double height_m) const {
         if (std::isnan(height_m)) return kVoidValue;
-        return static_cast<std::uint16_t>(std::clamp(std::lround((height_m - offset_m) / step_m), 0L, long{kLargestValue}));
+        return static_cast<std::uint16_t>(
+            std::clamp(std::lround((height_m - offset_m) / step_m), 0L, long{kLargestValue}));
     }
 };
 
 std::string frame_json(const Heights& heights, const Encoding& encoding, const ImportedDem& summary,
                        const DemImport& request) {
     nlohmann::ordered_json frame;
-    frame["description"] = fmt::format("{} x {} samples from {}, {}", heights.columns, heights.rows,
-                                       request.source.filename().string(),
-                                       summary.resampled ? "reprojected with cubic interpolation" : "copied sample by sample");
+    frame["description"] = fmt::format(
+        "{} x {} samples from {}, {}", heights.columns, heights.rows, request.source.filename().string(),
+        summary.resampled ? "reprojected with cubic interpolation" : "copied sample by sample");
     frame["crs"] = summary.crs;
     frame["south_west_m"] = {heights.west_m, heights.north_m - (heights.rows - 1) * heights.spacing_y_m};
     frame["spacing_m"] = {heights.spacing_x_m, heights.spacing_y_m};
@@ -188,7 +192,8 @@ std::string name_of(const OGRSpatialReference& srs) {
     return name != nullptr ? name : "unknown";
 }
 
-ImportedDem summary_of(const Heights& heights, GDALDataset& dataset, bool resampled, const DemImport& request) {
+ImportedDem summary_of(const Heights& heights, GDALDataset& dataset, bool resampled,
+                       const DemImport& request) {
     ImportedDem summary;
     summary.columns = heights.columns;
     summary.rows = heights.rows;
@@ -233,15 +238,15 @@ ImportedDem import_dem(const DemImport& request) {
     GDALAllRegister();
     CPLSetErrorHandler(CPLQuietErrorHandler);  // GDAL's messages come with ours
     CPLErrorReset();
-    const Dataset source(GDALDataset::Open(request.source.string().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+    const Dataset source(
+        GDALDataset::Open(request.source.string().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
     if (!source) fail(request, "is no elevation model that GDAL reads");
     if (source->GetRasterCount() < 1) fail(request, "has no band");
     GDALRasterBand& band = *source->GetRasterBand(1);
     const double per_unit = metres_per_unit(band, request);
     const double scale = band.GetScale() * per_unit, offset = band.GetOffset() * per_unit;
 
-    const bool resampled =
-        request.srs || request.spacing_m || request.window || !is_north_up_metric(*source);
+    const bool resampled = request.srs || request.spacing_m || request.window || !is_north_up_metric(*source);
     const Dataset warped = resampled ? reprojected(*source, request) : nullptr;
     GDALDataset& metric = resampled ? *warped : *source;
     CPLErrorReset();

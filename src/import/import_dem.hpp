@@ -9,10 +9,10 @@
 namespace keikan {
 
 struct DemImport {
-    std::filesystem::path source;              ///< whatever GDAL reads; its first band
-    std::filesystem::path grid;                ///< the .png to write; the frame goes beside it as .json
-    std::optional<std::string> srs;            ///< metric frame to reproject to, e.g. "EPSG:32725"
-    std::optional<double> spacing_m;           ///< between samples
+    std::filesystem::path source;                 ///< whatever GDAL reads; its first band
+    std::filesystem::path grid;                   ///< the .png to write; the frame goes beside it as .json
+    std::optional<std::string> srs;               ///< metric frame to reproject to, e.g. "EPSG:32725"
+    std::optional<double> spacing_m;              ///< between samples
     std::optional<std::array<double, 4>> window;  ///< xmin, ymin, xmax, ymax in the metric frame
 };
 
@@ -36,7 +36,8 @@ struct ImportedDem {
 ///
 /// Both files appear whole or not at all.
 ///
-/// Errors: InputError for a source that GDAL cannot read, that has no place on the Earth, whose heights are in
+/// Errors: InputError for a source that GDAL cannot read, that has no place on the Earth, whose heights are
+/// in
 ///         units other than metres or feet, or whose window holds no height.
 ImportedDem import_dem(const DemImport& request);
 

@@ -29,12 +29,15 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", KEIKAN_VERSION);
     app.require_subcommand(1);
     CLI::App& dem = *app.add_subcommand(
-        "dem", "An elevation model that GDAL reads, to a 16-bit PNG height grid and its metric frame (.json)");
+        "dem",
+        "An elevation model that GDAL reads, to a 16-bit PNG height grid and its metric frame (.json)");
     keikan::DemImport request;
     bool quiet = false;
     dem.add_option("FILE", request.source, "the elevation model, e.g. a GeoTIFF; its first band")->required();
-    dem.add_option("-o,--output", request.grid, "the grid to write, GRID.png; its frame goes to GRID.json")->required();
-    dem.add_option("--srs", request.srs, "frame to reproject to, e.g. EPSG:32725 (default: its own, else its UTM zone)");
+    dem.add_option("-o,--output", request.grid, "the grid to write, GRID.png; its frame goes to GRID.json")
+        ->required();
+    dem.add_option("--srs", request.srs,
+                   "frame to reproject to, e.g. EPSG:32725 (default: its own, else its UTM zone)");
     dem.add_option("--spacing", request.spacing_m, "metres between samples")->check(CLI::PositiveNumber);
     dem.add_option("--window", request.window, "XMIN YMIN XMAX YMAX in the metric frame");
     dem.add_flag("--quiet", quiet, "print no summary");

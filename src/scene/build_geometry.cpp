@@ -16,10 +16,10 @@ namespace {
 void add_terrain(const TerrainBlock& block, const HeightGrid& grid, Geometry& geometry) {
     geometry.objects.push_back({block.name, ObjectKind::Terrain, terrain_mesh(grid, block.material)});
     const glm::dvec2 north_east = grid.point(grid.columns - 1, grid.rows - 1);
-    geometry.notes.push_back(fmt::format(
-        "{}: {} x {} samples, {:g} x {:g} m apart, x {:.1f} to {:.1f}, y {:.1f} to {:.1f} m", block.name,
-        grid.columns, grid.rows, grid.spacing_m.x, grid.spacing_m.y, grid.south_west_m.x, north_east.x,
-        grid.south_west_m.y, north_east.y));
+    geometry.notes.push_back(
+        fmt::format("{}: {} x {} samples, {:g} x {:g} m apart, x {:.1f} to {:.1f}, y {:.1f} to {:.1f} m",
+                    block.name, grid.columns, grid.rows, grid.spacing_m.x, grid.spacing_m.y,
+                    grid.south_west_m.x, north_east.x, grid.south_west_m.y, north_east.y));
     if (grid.voids_filled > 0) {
         geometry.notes.push_back(
             fmt::format("{}: {} voids filled from the nearest heights in the eight directions of the compass",
@@ -32,7 +32,8 @@ void number_faces(Geometry& geometry, const std::string& file) {
     geometry.first_face.assign(1, 0);
     for (const Object& object : geometry.objects) {
         count += object.mesh.face_count();
-        if (count > std::numeric_limits<std::uint32_t>::max()) throw InputError(file, "", "has more than 2^32 faces");
+        if (count > std::numeric_limits<std::uint32_t>::max())
+            throw InputError(file, "", "has more than 2^32 faces");
         geometry.first_face.push_back(static_cast<std::uint32_t>(count));
     }
 }

@@ -37,7 +37,8 @@ void build(const TowerBlock& tower, const ObjectBlock& block, const Ground& grou
     stand.detail = tower.detail.value_or(TowerDetail::Angles);
     LatticeTower built = build_lattice_tower(block.name, tower.design, stand, tower.materials);
     geometry.notes.push_back(fmt::format("{}: {} members, {} of them secondary, top at {:.2f} m", block.name,
-                                         built.members, built.secondary, stand.base.z + tower.design.height_m));
+                                         built.members, built.secondary,
+                                         stand.base.z + tower.design.height_m));
     geometry.objects.push_back(std::move(built.steel));
     geometry.objects.push_back(std::move(built.insulators));
 }
@@ -55,7 +56,8 @@ std::pair<double, double> ground_along(const std::vector<glm::dvec2>& footprint,
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < footprint.size(); ++i) {
         const glm::dvec2 from = footprint[i], to = footprint[(i + 1) % footprint.size()];
-        const int steps = std::clamp(static_cast<int>(std::ceil(glm::distance(from, to) / kFootStepM)), 1, 10'000);
+        const int steps =
+            std::clamp(static_cast<int>(std::ceil(glm::distance(from, to) / kFootStepM)), 1, 10'000);
         for (int k = 0; k < steps; ++k) {
             const glm::dvec2 foot = from + (to - from) * (static_cast<double>(k) / steps);
             const double height = ground.height(foot.x, foot.y);
@@ -91,7 +93,8 @@ void build(const MeshBlock& mesh, const ObjectBlock& block, const Ground& ground
     geometry.objects.push_back({block.name, ObjectKind::Model, std::move(loaded.mesh)});
 }
 
-void build(const WaterBlock& water, const ObjectBlock& block, const Ground&, const Camera&, Geometry& geometry) {
+void build(const WaterBlock& water, const ObjectBlock& block, const Ground&, const Camera&,
+           Geometry& geometry) {
     if (const auto reason = why_not_simple(water.outline_m)) throw InputError("outline_m: " + *reason);
     Mesh mesh;
     for (const glm::dvec2 corner : water.outline_m) mesh.add_position({corner, water.level_m});

@@ -24,8 +24,8 @@ std::optional<ImagePoint> Camera::image_point(const glm::dvec3& world) const {
     const double depth = glm::dot(forward, from_eye);
     if (depth < near_m) return std::nullopt;
     const double scale = kind == Kind::Perspective ? focal_px / depth : focal_px;
-    return ImagePoint{centre_x + scale * glm::dot(right, from_eye), centre_y + scale * glm::dot(down, from_eye),
-                      depth};
+    return ImagePoint{centre_x + scale * glm::dot(right, from_eye),
+                      centre_y + scale * glm::dot(down, from_eye), depth};
 }
 
 void Camera::look_along(const glm::dvec3& direction, double roll_rad) {

@@ -11,10 +11,12 @@
 namespace keikan {
 namespace {
 
-constexpr std::array<const char*, 7> kKindNames{"terrain", "tower", "insulator", "conductor",
+constexpr std::array<const char*, 7> kKindNames{"terrain",  "tower", "insulator", "conductor",
                                                 "building", "model", "water"};
 
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
 
 /// Compass bearing of a direction, [0, 360).
 double bearing_deg(const glm::dvec3& direction) {
@@ -31,7 +33,8 @@ std::string camera_text(const Camera& camera) {
     const double across = perspective ? degrees(2 * std::atan(camera.size.width / (2 * camera.focal_px)))
                                       : camera.size.width / camera.focal_px;
     return fmt::format(
-        "camera     {} at ({:.2f}, {:.2f}, {:.2f}) m, bearing {:.2f}, elevation {:.2f} degrees, {:.2f} {} wide, "
+        "camera     {} at ({:.2f}, {:.2f}, {:.2f}) m, bearing {:.2f}, elevation {:.2f} degrees, {:.2f} {} "
+        "wide, "
         "{} x {} pixels\n",
         perspective ? "perspective" : "orthographic", camera.position.x, camera.position.y, camera.position.z,
         bearing_deg(camera.forward), elevation_deg(camera.forward), across, perspective ? "degrees" : "m",
@@ -48,7 +51,8 @@ std::string kinds_text(const Geometry& geometry) {
     std::string text;
     for (std::size_t kind = 0; kind < kKindNames.size(); ++kind) {
         if (objects[kind] > 0) {
-            text += fmt::format("  {:<10} {:>8} objects {:>10} faces\n", kKindNames[kind], objects[kind], faces[kind]);
+            text += fmt::format("  {:<10} {:>8} objects {:>10} faces\n", kKindNames[kind], objects[kind],
+                                faces[kind]);
         }
     }
     return text + fmt::format("  {:<10} {:>8} objects {:>10} faces\n", "all", geometry.objects.size(),
@@ -59,10 +63,11 @@ std::string kinds_text(const Geometry& geometry) {
 
 std::string describe(const Scene& scene, const Geometry& geometry) {
     std::string text = fmt::format("scene      {}\n", scene.file.string()) + camera_text(scene.camera);
-    text += fmt::format("sun        bearing {:.2f}, elevation {:.2f} degrees\n", bearing_deg(scene.light.to_sun),
-                        elevation_deg(scene.light.to_sun));
-    text += fmt::format("haze       {}\n", scene.haze.range_m > 0 ? fmt::format("range {:g} m", scene.haze.range_m)
-                                                                  : std::string("none"));
+    text += fmt::format("sun        bearing {:.2f}, elevation {:.2f} degrees\n",
+                        bearing_deg(scene.light.to_sun), elevation_deg(scene.light.to_sun));
+    text += fmt::format("haze       {}\n", scene.haze.range_m > 0
+                                               ? fmt::format("range {:g} m", scene.haze.range_m)
+                                               : std::string("none"));
     text += fmt::format("materials  {}\n", scene.materials.size());
     text += fmt::format("geometry   {:016x}\n", scene.geometry_hash) + kinds_text(geometry);
     for (const std::string& note : geometry.notes) text += fmt::format("  {}\n", note);

@@ -21,8 +21,8 @@ struct WeightedMean {
     float sum = 0;
 };
 
-/// Adds, for every sample, what is seen from it along the step (dx, dy). One sweep: what a sample sees is what
-/// the next sample along the step is or sees.
+/// Adds, for every sample, what is seen from it along the step (dx, dy). One sweep: what a sample sees is
+/// what the next sample along the step is or sees.
 void add_sights(int columns, int rows, const std::vector<float>& heights, int dx, int dy,
                 std::vector<WeightedMean>& means) {
     const float step = std::hypot(static_cast<float>(dx), static_cast<float>(dy));
@@ -34,8 +34,7 @@ void add_sights(int columns, int rows, const std::vector<float>& heights, int dx
             const int column = dx > 0 ? columns - 1 - i : i;
             const auto at = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
             const int next_column = column + dx, next_row = row + dy;
-            const bool inside =
-                next_column >= 0 && next_column < columns && next_row >= 0 && next_row < rows;
+            const bool inside = next_column >= 0 && next_column < columns && next_row >= 0 && next_row < rows;
             Sight seen;
             if (inside) {
                 const Sight& next = (dy == 0 ? row_now : row_before)[static_cast<std::size_t>(next_column)];

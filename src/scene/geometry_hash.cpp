@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Raised whenever the same document would give other faces than before, so that older scan files are refused.
+/// Raised whenever the same document would give other faces than before, so that older scan files are
+/// refused.
 constexpr int kGeneratorVersion = 1;
 
 void append_bytes(std::string& text, const void* bytes, std::size_t size) {

@@ -14,7 +14,7 @@
 namespace keikan {
 namespace {
 
-constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 28;
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
 
 /// libpng reports an error by a callback that must not return: the message is kept and `guarded` takes over.
 struct Reader {
@@ -63,7 +63,8 @@ Grey16 read_grey16_png(const std::string& file) {
         throw InputError(file, "", "is not a 16-bit grey PNG");
     }
     if (std::uint64_t{columns} * rows > kMostSamples) {
-        throw InputError(file, "", fmt::format("{} x {} samples are more than {}", columns, rows, kMostSamples));
+        throw InputError(file, "",
+                         fmt::format("{} x {} samples are more than {}", columns, rows, kMostSamples));
     }
     Grey16 grid{static_cast<int>(columns), static_cast<int>(rows), {}};
     grid.values.resize(std::size_t{columns} * rows);

@@ -13,7 +13,7 @@ struct Grey16 {
     std::vector<std::uint16_t> values;
 };
 
-/// Errors: InputError for anything but a whole 16-bit grey PNG of at most 2^28 samples.
+/// Errors: InputError for anything but a whole 16-bit grey PNG of at most 2^26 samples.
 Grey16 read_grey16_png(const std::string& file);
 
 }  // namespace keikan

@@ -58,15 +58,18 @@ RawGrid read_hgt(const std::string& file) {
     const std::string bytes = file_bytes(file);
     int side = 0;
     for (const int known : {1201, 3601}) {
-        if (bytes.size() == static_cast<std::size_t>(known) * static_cast<std::size_t>(known) * 2) side = known;
+        if (bytes.size() == static_cast<std::size_t>(known) * static_cast<std::size_t>(known) * 2)
+            side = known;
     }
     if (side == 0) {
-        throw InputError(file, "", fmt::format("{} bytes are neither 1201 x 1201 nor 3601 x 3601 samples", bytes.size()));
+        throw InputError(
+            file, "", fmt::format("{} bytes are neither 1201 x 1201 nor 3601 x 3601 samples", bytes.size()));
     }
     RawGrid grid{side, side, {}};
     grid.values.resize(bytes.size() / 2);
     for (std::size_t i = 0; i < grid.values.size(); ++i) {
-        const auto high = static_cast<unsigned char>(bytes[2 * i]), low = static_cast<unsigned char>(bytes[2 * i + 1]);
+        const auto high = static_cast<unsigned char>(bytes[2 * i]),
+                   low = static_cast<unsigned char>(bytes[2 * i + 1]);
         grid.values[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(high << 8 | low));
     }
     return grid;
@@ -97,14 +100,17 @@ HeightGrid framed(const RawGrid& raw, const GridFrame& frame) {
 HeightGrid read_height_grid(const std::filesystem::path& file, const std::optional<GridFrame>& given) {
     const std::string extension = extension_of(file);
     const bool hgt = extension == ".hgt";
-    if (!hgt && extension != ".png") throw InputError(file.string(), "", "is neither a .hgt nor a .png height grid");
+    if (!hgt && extension != ".png")
+        throw InputError(file.string(), "", "is neither a .hgt nor a .png height grid");
     const RawGrid raw = hgt ? read_hgt(file.string()) : read_png(file.string());
     if (raw.columns < 2 || raw.rows < 2) throw InputError(file.string(), "", "has fewer than 2 x 2 samples");
 
     GridFrame frame = given.value_or(GridFrame{});
     if (!given) {
         const auto south = hgt ? latitude_in_name(file.stem().string()) : std::nullopt;
-        if (!south) throw InputError(file.string(), "", "has no frame: neither a side-car .json nor a place in its name");
+        if (!south)
+            throw InputError(file.string(), "",
+                             "has no frame: neither a side-car .json nor a place in its name");
         frame.spacing_m = degree_m(*south + 0.5) / static_cast<double>(raw.columns - 1);
     }
     if (hgt && !frame.void_value) frame.void_value = kHgtVoid;
@@ -123,7 +129,8 @@ HeightGrid windowed(const HeightGrid& grid, const GridWindow& window) {
     const int high = window.rows == 0 ? rows_left : window.rows;
     if (window.first_column < 0 || window.first_row < 0 || window.stride < 1 || wide > columns_left ||
         high > rows_left) {
-        throw InputError(fmt::format("the window reaches outside the grid of {} x {} samples", grid.columns, grid.rows));
+        throw InputError(
+            fmt::format("the window reaches outside the grid of {} x {} samples", grid.columns, grid.rows));
     }
     HeightGrid part;
     part.columns = (wide - 1) / window.stride + 1;

@@ -34,12 +34,18 @@ std::string pointer_token(const std::string& key) {
 
 std::string kind_of(const json& value) {
     switch (value.type()) {
-        case json::value_t::null: return "null";
-        case json::value_t::object: return "an object";
-        case json::value_t::array: return "an array";
-        case json::value_t::string: return "a text";
-        case json::value_t::boolean: return value.get<bool>() ? "true" : "false";
-        default: return fmt::format("{}", value.dump());
+        case json::value_t::null:
+            return "null";
+        case json::value_t::object:
+            return "an object";
+        case json::value_t::array:
+            return "an array";
+        case json::value_t::string:
+            return "a text";
+        case json::value_t::boolean:
+            return value.get<bool>() ? "true" : "false";
+        default:
+            return fmt::format("{}", value.dump());
     }
 }
 
@@ -59,7 +65,8 @@ std::string reason_in(const std::string& what) {
     const auto bracket = what.find("] ");
     std::string reason = bracket == std::string::npos ? what : what.substr(bracket + 2);
     if (reason.starts_with("parse error at")) {
-        if (const auto colon = reason.find(": "); colon != std::string::npos) reason = reason.substr(colon + 2);
+        if (const auto colon = reason.find(": "); colon != std::string::npos)
+            reason = reason.substr(colon + 2);
     }
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     return reason;
@@ -77,7 +84,8 @@ class StrictParse {
             keys_.emplace_back();
         } else if (event == json::parse_event_t::object_end) {
             keys_.pop_back();
-        } else if (event == json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second) {
+        } else if (event == json::parse_event_t::key &&
+                   !keys_.back().insert(parsed.get<std::string>()).second) {
             throw InputError(file_, "",
                              fmt::format("key \"{}\" comes twice in one object", parsed.get<std::string>()));
         }
@@ -171,7 +179,9 @@ std::size_t JsonNode::array_size(std::size_t least, std::size_t most) const {
     return size;
 }
 
-JsonNode JsonNode::item(std::size_t i) const { return {(*value_)[i], *file_, fmt::format("{}/{}", path_, i)}; }
+JsonNode JsonNode::item(std::size_t i) const {
+    return {(*value_)[i], *file_, fmt::format("{}/{}", path_, i)};
+}
 
 JsonObject::JsonObject(const JsonNode& node) : node_(node) {
     if (!node.value().is_object()) node.fail(fmt::format("must be an object, not {}", kind_of(node.value())));
@@ -221,7 +231,8 @@ std::string JsonObject::exactly_one_of(std::initializer_list<const char*> keys) 
         known_.insert(key);
         names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", key);
         if (!node_.value().contains(key)) continue;
-        if (!present.empty()) node_.fail(fmt::format("has both \"{}\" and \"{}\"; one is enough", present, key));
+        if (!present.empty())
+            node_.fail(fmt::format("has both \"{}\" and \"{}\"; one is enough", present, key));
         present = key;
     }
     if (present.empty()) node_.fail("lacks one of the keys " + names);
@@ -249,7 +260,9 @@ json parse_json(const std::string& text, const std::string& file) {
     }
 }
 
-json parse_json_file(const std::string& file) { return parse_json(file_bytes(file), file); }
+json parse_json_file(const std::string& file) {
+    return parse_json(file_bytes(file), file);
+}
 
 std::string file_bytes(const std::string& file) {
     std::error_code error;

@@ -23,11 +23,21 @@ struct NumberRange {
     std::string words() const;
 };
 
-inline NumberRange any_number() { return {}; }
-inline NumberRange positive() { return {.low = 0, .above_low = true}; }
-inline NumberRange at_least(double low) { return {.low = low}; }
-inline NumberRange between(double low, double high) { return {.low = low, .high = high}; }
-inline NumberRange positive_up_to(double high) { return {.low = 0, .high = high, .above_low = true}; }
+inline NumberRange any_number() {
+    return {};
+}
+inline NumberRange positive() {
+    return {.low = 0, .above_low = true};
+}
+inline NumberRange at_least(double low) {
+    return {.low = low};
+}
+inline NumberRange between(double low, double high) {
+    return {.low = low, .high = high};
+}
+inline NumberRange positive_up_to(double high) {
+    return {.low = 0, .high = high, .above_low = true};
+}
 
 /// A value of a JSON document that knows its file and place, so that every complaint about it names both.
 /// Every accessor that cannot give what its name says throws an InputError.
@@ -49,7 +59,8 @@ class JsonNode {
     glm::dvec3 triple() const;
     /// Three numbers of at least 0 in linear light, or "#rrggbb" in sRGB.
     Rgb colour() const;
-    std::size_t array_size(std::size_t least = 0, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+    std::size_t array_size(std::size_t least = 0,
+                           std::size_t most = std::numeric_limits<std::size_t>::max()) const;
     JsonNode item(std::size_t i) const;
 
   private:

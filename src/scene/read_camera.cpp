@@ -16,7 +16,8 @@ constexpr double kFullFrameWidthMm = 36;
 constexpr int kLargestSide = 65536;
 
 /// A point [x, y, z], or [x, y] together with its height above the ground.
-glm::dvec3 read_point(JsonObject& object, const char* key, const char* height_key, const TerrainHeight& ground) {
+glm::dvec3 read_point(JsonObject& object, const char* key, const char* height_key,
+                      const TerrainHeight& ground) {
     const JsonNode point = object.required(key);
     const auto height = object.optional(height_key);
     if (!height) {
@@ -30,7 +31,8 @@ glm::dvec3 read_point(JsonObject& object, const char* key, const char* height_ke
     }
     const glm::dvec2 place = point.pair();
     const auto ground_height = ground(place.x, place.y);
-    if (!ground_height) point.fail(fmt::format("lies beside the terrain, which \"{}\" counts from", height_key));
+    if (!ground_height)
+        point.fail(fmt::format("lies beside the terrain, which \"{}\" counts from", height_key));
     return {place, *ground_height + height->number()};
 }
 
@@ -52,10 +54,12 @@ void aim(JsonObject& object, Camera& camera, const TerrainHeight& ground) {
 }
 
 double perspective_focal_px(JsonObject& object, ImageSize size) {
-    const std::string key = object.exactly_one_of({"focal_length_35mm", "horizontal_fov_deg", "vertical_fov_deg"});
+    const std::string key =
+        object.exactly_one_of({"focal_length_35mm", "horizontal_fov_deg", "vertical_fov_deg"});
     const JsonNode node = object.required(key);
     if (key == "focal_length_35mm") return node.number(positive_up_to(1e5)) / kFullFrameWidthMm * size.width;
-    const double angle = node.number({.low = 0, .high = 180, .above_low = true, .below_high = true}) * kDegree;
+    const double angle =
+        node.number({.low = 0, .high = 180, .above_low = true, .below_high = true}) * kDegree;
     const int side = key == "horizontal_fov_deg" ? size.width : size.height;
     return side / (2 * std::tan(angle / 2));
 }

@@ -42,7 +42,8 @@ void read_date(const JsonNode& node, ClockTime& time) {
                                            std::chrono::month{static_cast<unsigned>(time.month)},
                                            std::chrono::day{static_cast<unsigned>(time.day)}};
     if (!date.ok()) node.fail("is not a day of the calendar");
-    if (time.year < 1950 || time.year > 2050) node.fail("must be from 1950 to 2050, where the sun's series holds");
+    if (time.year < 1950 || time.year > 2050)
+        node.fail("must be from 1950 to 2050, where the sun's series holds");
 }
 
 void read_time(const JsonNode& node, ClockTime& time) {
@@ -66,7 +67,8 @@ glm::dvec3 sun_by_date(JsonObject& object) {
     const double longitude = object.required("longitude_deg").number(between(-180, 180));
     const SunPosition sun = sun_position(time, latitude, longitude);
     if (sun.elevation_rad < 0) {
-        object.fail(fmt::format("the sun is {:.2f} degrees below the horizon then", -sun.elevation_rad / kDegree));
+        object.fail(
+            fmt::format("the sun is {:.2f} degrees below the horizon then", -sun.elevation_rad / kDegree));
     }
     return direction_of(sun);
 }
@@ -93,7 +95,8 @@ HeightSlopeRamp read_ramp(const JsonNode& node) {
     for (std::size_t i = 0; i < stops.array_size(1, 256); ++i) {
         JsonObject stop(stops.item(i));
         const JsonNode height = stop.required("height_m");
-        ramp.stops.push_back({static_cast<float>(height.number(between(-20000, 20000))), stop.required("colour").colour()});
+        ramp.stops.push_back(
+            {static_cast<float>(height.number(between(-20000, 20000))), stop.required("colour").colour()});
         stop.no_other_keys();
         if (i > 0 && ramp.stops[i].height_m <= ramp.stops[i - 1].height_m) {
             height.fail("must be greater than the height of the stop before");
@@ -101,9 +104,10 @@ HeightSlopeRamp read_ramp(const JsonNode& node) {
     }
     ramp.steep = object.colour_or("steep", ramp.steep);
     ramp.steep_from_deg = static_cast<float>(object.number_or("steep_from_deg", 35, between(0, 90)));
-    ramp.steep_full_deg = static_cast<float>(
-        object.number_or("steep_full_deg", std::max(50.0, static_cast<double>(ramp.steep_from_deg)), between(0, 90)));
-    if (ramp.steep_full_deg < ramp.steep_from_deg) node.fail("\"steep_full_deg\" must be at least \"steep_from_deg\"");
+    ramp.steep_full_deg = static_cast<float>(object.number_or(
+        "steep_full_deg", std::max(50.0, static_cast<double>(ramp.steep_from_deg)), between(0, 90)));
+    if (ramp.steep_full_deg < ramp.steep_from_deg)
+        node.fail("\"steep_full_deg\" must be at least \"steep_from_deg\"");
     object.no_other_keys();
     return ramp;
 }
@@ -171,7 +175,8 @@ std::uint16_t MaterialNames::index_of(const JsonNode& node) const {
     const std::string name = node.text();
     const auto found = std::lower_bound(materials_.begin(), materials_.end(), name,
                                         [](const Material& m, const std::string& n) { return m.name < n; });
-    if (found == materials_.end() || found->name != name) node.fail(fmt::format("no material is named \"{}\"", name));
+    if (found == materials_.end() || found->name != name)
+        node.fail(fmt::format("no material is named \"{}\"", name));
     return static_cast<std::uint16_t>(found - materials_.begin());
 }
 

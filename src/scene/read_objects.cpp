@@ -18,7 +18,8 @@ glm::dvec2 read_place(const JsonNode& node) {
     return {node.item(0).number(range), node.item(1).number(range)};
 }
 
-std::vector<glm::dvec2> read_outline(const JsonNode& node) {  // simple or not shows while building: that takes time
+std::vector<glm::dvec2> read_outline(
+    const JsonNode& node) {  // simple or not shows while building: that takes time
     std::vector<glm::dvec2> outline(node.array_size(3, 10'000));
     for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = read_place(node.item(i));
     return outline;
@@ -74,7 +75,8 @@ TowerDesign read_tower_design(const JsonNode& node) {
     set_length(object, "arm_spacing_m", design.arm_spacing_m);
     if (const auto arms = object.optional("arm_length_m")) {
         arms->array_size(3, 3);
-        for (std::size_t i = 0; i < 3; ++i) design.arm_length_m[i] = arms->item(i).number(positive_up_to(1e5));
+        for (std::size_t i = 0; i < 3; ++i)
+            design.arm_length_m[i] = arms->item(i).number(positive_up_to(1e5));
     }
     set_length(object, "arm_depth_m", design.arm_depth_m);
     set_length(object, "ground_arm_m", design.ground_arm_m, between(0, 1e5));
@@ -162,7 +164,8 @@ PowerLineBlock read_power_line(const std::string& name, JsonObject& object, cons
         line.route.push_back(read_route_tower(route.item(i)));
     }
     if (const auto wire = object.optional("conductor")) line.conductor = read_wire(*wire, line.conductor);
-    if (const auto wire = object.optional("ground_wire")) line.ground_wire = read_wire(*wire, line.ground_wire);
+    if (const auto wire = object.optional("ground_wire"))
+        line.ground_wire = read_wire(*wire, line.ground_wire);
     line.materials = read_line_materials(object.required("materials"), materials);
     line.detail = read_detail(object);
     return {line};
@@ -280,7 +283,8 @@ std::vector<ObjectBlock> read_objects(const JsonNode& node, const std::filesyste
                                       const MaterialNames& materials) {
     std::vector<ObjectBlock> objects;
     const std::size_t count = node.array_size(0, 100'000);
-    for (std::size_t i = 0; i < count; ++i) objects.push_back(read_object(node.item(i), i, folder, materials));
+    for (std::size_t i = 0; i < count; ++i)
+        objects.push_back(read_object(node.item(i), i, folder, materials));
     return objects;
 }
 

@@ -38,14 +38,15 @@ struct PowerLineBlock {
 struct BuildingBlock {
     BuildingDesign design;
     BuildingMaterials materials;
-    std::optional<double> floor_m;  ///< none: on the highest ground along the footprint, walls down to the lowest
+    std::optional<double>
+        floor_m;  ///< none: on the highest ground along the footprint, walls down to the lowest
 };
 
 struct MeshBlock {
     std::filesystem::path file;
     MeshPlacement placement;
     HeightAboveGround base;
-    std::uint16_t material = 0;                             ///< for what `material_of` does not name
+    std::uint16_t material = 0;  ///< for what `material_of` does not name
     std::map<std::string, std::uint16_t> material_of;
 };
 

@@ -62,7 +62,8 @@ std::filesystem::path named_file(const JsonNode& node, const std::filesystem::pa
     const std::filesystem::path file = folder / node.text();
     std::error_code error;
     if (!std::filesystem::exists(file, error)) node.fail(fmt::format("there is no file {}", file.string()));
-    if (!std::filesystem::is_regular_file(file, error)) node.fail(fmt::format("{} is not a file", file.string()));
+    if (!std::filesystem::is_regular_file(file, error))
+        node.fail(fmt::format("{} is not a file", file.string()));
     return file;
 }
 

@@ -57,7 +57,8 @@ class EarCutter {
         std::vector<std::array<std::uint32_t, 3>> cut;
         std::size_t i = 0;
         for (std::size_t tries = 0; left_.size() > 3; ++tries) {
-            KEIKAN_CHECK(tries <= left_.size(), "a polygon of " << outline_.size() << " corners without an ear");
+            KEIKAN_CHECK(tries <= left_.size(),
+                         "a polygon of " << outline_.size() << " corners without an ear");
             if (is_ear(i)) {
                 cut.push_back(corner(i));
                 left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));

@@ -31,8 +31,10 @@ float slope(int i, int n, double spacing, const HeightAt& height) {
 }
 
 glm::vec3 normal_at(const HeightGrid& grid, int column, int row) {
-    const float east = slope(column, grid.columns, grid.spacing_m.x, [&](int c) { return grid.height(c, row); });
-    const float north = slope(row, grid.rows, grid.spacing_m.y, [&](int r) { return grid.height(column, r); });
+    const float east =
+        slope(column, grid.columns, grid.spacing_m.x, [&](int c) { return grid.height(c, row); });
+    const float north =
+        slope(row, grid.rows, grid.spacing_m.y, [&](int r) { return grid.height(column, r); });
     const float scale = 1 / std::sqrt(east * east + north * north + 1);
     return {-east * scale, -north * scale, scale};
 }
@@ -51,9 +53,8 @@ void write_row_of_faces(const HeightGrid& grid, int row, Mesh& mesh) {
     for (int column = 0; column + 1 < grid.columns; ++column) {
         const auto sw = static_cast<std::uint32_t>(grid.index(column, row)), se = sw + 1;
         const auto nw = sw + static_cast<std::uint32_t>(grid.columns), ne = nw + 1;
-        const auto six = cell_of(grid, column, row).divided_sw_to_ne()
-                             ? std::array{sw, se, ne, sw, ne, nw}
-                             : std::array{sw, se, nw, se, ne, nw};
+        const auto six = cell_of(grid, column, row).divided_sw_to_ne() ? std::array{sw, se, ne, sw, ne, nw}
+                                                                       : std::array{sw, se, nw, se, ne, nw};
         corner = std::copy(six.begin(), six.end(), corner);
     }
 }
@@ -63,7 +64,8 @@ void write_row_of_faces(const HeightGrid& grid, int row, Mesh& mesh) {
 Mesh terrain_mesh(const HeightGrid& grid, std::uint16_t material) {
     KEIKAN_CHECK(grid.columns >= 2 && grid.rows >= 2, "a terrain needs 2 x 2 samples");
     const std::size_t vertices = grid.heights.size();
-    const std::size_t faces = 2 * static_cast<std::size_t>(grid.columns - 1) * static_cast<std::size_t>(grid.rows - 1);
+    const std::size_t faces =
+        2 * static_cast<std::size_t>(grid.columns - 1) * static_cast<std::size_t>(grid.rows - 1);
     Mesh mesh;
     mesh.positions.resize(vertices);
     mesh.normals.resize(vertices);
@@ -74,7 +76,8 @@ Mesh terrain_mesh(const HeightGrid& grid, std::uint16_t material) {
     parallel_ranges(static_cast<std::size_t>(grid.rows), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             write_row_of_vertices(grid, static_cast<int>(row), mesh);
-            if (row + 1 < static_cast<std::size_t>(grid.rows)) write_row_of_faces(grid, static_cast<int>(row), mesh);
+            if (row + 1 < static_cast<std::size_t>(grid.rows))
+                write_row_of_faces(grid, static_cast<int>(row), mesh);
         }
     });
     return mesh;

@@ -46,7 +46,8 @@ std::string refusal(const json& document) {
 }
 
 HeightGrid hill() {
-    return read_height_grid(kData / "terrain/hill.png", GridFrame{{-640, -640}, {20, 20}, 0.01, 0, std::nullopt});
+    return read_height_grid(kData / "terrain/hill.png",
+                            GridFrame{{-640, -640}, {20, 20}, 0.01, 0, std::nullopt});
 }
 
 std::pair<double, double> heights_of(const Mesh& mesh) {
@@ -62,7 +63,8 @@ std::uint64_t bits_of(const Geometry& geometry) {
     std::uint64_t bits = 0;
     for (const Object& object : geometry.objects) {
         for (const glm::dvec3& p : object.mesh.positions) {
-            for (const double value : {p.x, p.y, p.z}) bits = bits * 6364136223846793005U + std::bit_cast<std::uint64_t>(value);
+            for (const double value : {p.x, p.y, p.z})
+                bits = bits * 6364136223846793005U + std::bit_cast<std::uint64_t>(value);
         }
         for (const std::uint32_t corner : object.mesh.corners) bits = bits * 6364136223846793005U + corner;
     }
@@ -73,8 +75,10 @@ std::uint64_t bits_of(const Geometry& geometry) {
 
 TEST_CASE("build_geometry: a building's floor is on the highest ground, its walls go down to the lowest",
           "[scene][build]") {
-    const json house = {{"type", "building"}, {"rectangle", {{"centre_m", {-120, 40}}, {"size_m", {20, 10}}}},
-                        {"height_m", 7}, {"materials", {{"wall", "plain"}}}};
+    const json house = {{"type", "building"},
+                        {"rectangle", {{"centre_m", {-120, 40}}, {"size_m", {20, 10}}}},
+                        {"height_m", 7},
+                        {"materials", {{"wall", "plain"}}}};
     const Geometry geometry = built(hill_with(json::array({house})));
     REQUIRE(geometry.objects.size() == 2);
     CHECK(geometry.objects[1].kind == ObjectKind::Building);
@@ -92,7 +96,8 @@ TEST_CASE("build_geometry: a building's floor is on the highest ground, its wall
 }
 
 TEST_CASE("build_geometry: a tower on a slope stands on four legs that reach the ground", "[scene][build]") {
-    const json tower = {{"type", "tower"}, {"position_m", {150, -60}}, {"yaw_deg", 30}, {"materials", {{"steel", "plain"}}}};
+    const json tower = {
+        {"type", "tower"}, {"position_m", {150, -60}}, {"yaw_deg", 30}, {"materials", {{"steel", "plain"}}}};
     const Geometry geometry = built(hill_with(json::array({tower})));
     REQUIRE(geometry.objects.size() == 3);
     const Mesh& steel = geometry.objects[1].mesh;
@@ -105,7 +110,9 @@ TEST_CASE("build_geometry: a tower on a slope stands on four legs that reach the
             const glm::dvec2 from = glm::dvec2(p) - centre;
             const double x = std::cos(turn) * from.x + std::sin(turn) * from.y;
             const double y = -std::sin(turn) * from.x + std::cos(turn) * from.y;
-            if ((x > 0) != (corner % 2 == 1) || (y > 0) != (corner / 2 == 1) || std::abs(x) < 5 || std::abs(y) < 5) continue;
+            if ((x > 0) != (corner % 2 == 1) || (y > 0) != (corner / 2 == 1) || std::abs(x) < 5 ||
+                std::abs(y) < 5)
+                continue;
             above = std::min(above, p.z - *height_at(hill(), p.x, p.y));
         }
         INFO("corner " << corner);
@@ -117,14 +124,17 @@ TEST_CASE("build_geometry: a tower on a slope stands on four legs that reach the
 TEST_CASE("build_geometry: what stands beside the terrain is refused with its place", "[scene][build]") {
     const json tower = {{"type", "tower"}, {"position_m", {700, 0}}, {"materials", {{"steel", "plain"}}}};
     CHECK(refusal(hill_with(json::array({tower}))).starts_with("scene.json:/objects/0: ("));
-    const json line = {{"type", "power_line"}, {"route", {{0, 0}, {700, 0}}},
+    const json line = {{"type", "power_line"},
+                       {"route", {{0, 0}, {700, 0}}},
                        {"materials", {{"steel", "plain"}, {"conductor", "plain"}}}};
     CHECK(refusal(hill_with(json::array({line}))).starts_with("scene.json:/objects/0: "));
 }
 
 TEST_CASE("build_geometry: without a terrain the ground is the plane z = 0", "[scene][build]") {
-    json document = hill_with(json::array({{{"type", "building"}, {"footprint_m", {{0, 0}, {9, 0}, {9, 6}, {0, 6}}},
-                                            {"height_m", 5}, {"materials", {{"wall", "plain"}}}}}));
+    json document = hill_with(json::array({{{"type", "building"},
+                                            {"footprint_m", {{0, 0}, {9, 0}, {9, 6}, {0, 6}}},
+                                            {"height_m", 5},
+                                            {"materials", {{"wall", "plain"}}}}}));
     document.erase("terrain");
     const Geometry geometry = built(document);
     REQUIRE(geometry.objects.size() == 1);
@@ -143,19 +153,23 @@ TEST_CASE("build_geometry: the scenes of the project are whole", "[scene][build]
             CHECK(names.insert(object.name).second);
             REQUIRE(mesh.face_begin.size() == mesh.face_material.size() + 1);
             REQUIRE(mesh.face_begin.back() == mesh.corners.size());
-            const bool corners_exist = std::all_of(mesh.corners.begin(), mesh.corners.end(),
-                                                   [&](std::uint32_t c) { return c < mesh.positions.size(); });
-            const bool materials_exist = std::all_of(mesh.face_material.begin(), mesh.face_material.end(),
-                                                     [&](std::uint16_t m) { return m < scene.materials.size(); });
+            const bool corners_exist =
+                std::all_of(mesh.corners.begin(), mesh.corners.end(),
+                            [&](std::uint32_t c) { return c < mesh.positions.size(); });
+            const bool materials_exist =
+                std::all_of(mesh.face_material.begin(), mesh.face_material.end(),
+                            [&](std::uint16_t m) { return m < scene.materials.size(); });
             bool faces_are = true;
-            for (std::size_t f = 0; f < mesh.face_count(); ++f) faces_are = faces_are && mesh.face(f).size() >= 3;
+            for (std::size_t f = 0; f < mesh.face_count(); ++f)
+                faces_are = faces_are && mesh.face(f).size() >= 3;
             CHECK((corners_exist && materials_exist && faces_are));
             CHECK((mesh.normals.empty() || mesh.normals.size() == mesh.positions.size()));
         }
     }
 }
 
-TEST_CASE("build_geometry: ridge_line has at least 250,000 faces and 6 towers, seen from below", "[scene][build]") {
+TEST_CASE("build_geometry: ridge_line has at least 250,000 faces and 6 towers, seen from below",
+          "[scene][build]") {
     const Scene scene = read_scene(kData / "scenes/ridge_line.json");
     const Geometry geometry = build_geometry(scene);
     CHECK(scene.camera.size == ImageSize{1000, 650});

@@ -13,7 +13,9 @@ namespace {
 /// Rounding of a few operations on numbers below 1e4.
 constexpr double kRounding = 1e-11;
 
-bool near(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= kRounding; }
+bool near(const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::length(a - b) <= kRounding;
+}
 
 }  // namespace
 
@@ -30,7 +32,8 @@ TEST_CASE("camera: looking north, east is to the right and the sky above", "[sce
 }
 
 TEST_CASE("camera: its axes are orthonormal and right-handed whichever way it looks", "[scene][camera]") {
-    for (const glm::dvec3 direction : {glm::dvec3(1, 2, 3), {-1, 0.5, -0.2}, {0, 0, 1}, {0, 0, -7}, {0, -1, 0}}) {
+    for (const glm::dvec3 direction :
+         {glm::dvec3(1, 2, 3), {-1, 0.5, -0.2}, {0, 0, 1}, {0, 0, -7}, {0, -1, 0}}) {
         for (const double roll : {0.0, 0.4, -2.0}) {
             Camera camera;
             camera.look_along(direction, roll);

@@ -32,7 +32,8 @@ std::string hgt(const Height& height) {
 
 }  // namespace
 
-TEST_CASE("fill_voids: a void between two heights takes their mean, weighted by nearness", "[scene][terrain]") {
+TEST_CASE("fill_voids: a void between two heights takes their mean, weighted by nearness",
+          "[scene][terrain]") {
     // One row: 10, void, void, 40. The first void sees 10 at one step and 40 at two: (10 + 40/4) / (1 + 1/4).
     std::vector<float> heights{10, kVoid, kVoid, 40};
     CHECK(fill_voids(4, 1, heights) == 2);
@@ -48,8 +49,8 @@ TEST_CASE("fill_voids: looks in all eight directions", "[scene][terrain]") {
 
 TEST_CASE("fill_voids: a void that sees nothing takes the mean of all that is known", "[scene][terrain]") {
     std::vector<float> heights(15, kVoid);
-    heights[0] = 3;                            // column 0, row 0 of 5 x 3
-    CHECK(fill_voids(5, 3, heights) == 14);    // column 2, row 1 is no queen's move away
+    heights[0] = 3;                          // column 0, row 0 of 5 x 3
+    CHECK(fill_voids(5, 3, heights) == 14);  // column 2, row 1 is no queen's move away
     CHECK(heights[7] == 3);
 }
 
@@ -66,7 +67,8 @@ TEST_CASE("read_height_grid: a PNG grid stands in its frame, south first", "[sce
     CHECK(grid.point(64, 64) == glm::dvec2(640, 640));
     // The analytic hill of scripts/make_terrain, rounded to a centimetre.
     const auto hill = [](double x, double y) {
-        return 60 + 180 * std::exp(-(x * x + 2.25 * y * y) / 90000) + 12 * std::sin(x / 90) * std::cos(y / 70);
+        return 60 + 180 * std::exp(-(x * x + 2.25 * y * y) / 90000) +
+               12 * std::sin(x / 90) * std::cos(y / 70);
     };
     for (const int column : {0, 13, 32, 64}) {
         for (const int row : {0, 9, 32, 64}) {
@@ -79,9 +81,10 @@ TEST_CASE("read_height_grid: a PNG grid stands in its frame, south first", "[sce
 TEST_CASE("read_height_grid: an SRTM tile is big-endian, north first, and its name says its place",
           "[scene][terrain]") {
     const TemporaryFolder folder;
-    const auto file = folder.write("n36W085.hgt", hgt([](int c, int r) { return c == 3 && r == 1200 ? -32768 : c - r; }));
+    const auto file =
+        folder.write("n36W085.hgt", hgt([](int c, int r) { return c == 3 && r == 1200 ? -32768 : c - r; }));
     const HeightGrid grid = read_height_grid(file, std::nullopt);
-    CHECK(grid.height(0, 0) == -1200);      // south-west
+    CHECK(grid.height(0, 0) == -1200);       // south-west
     CHECK(grid.height(1200, 1200) == 1200);  // north-east
     CHECK(grid.voids_filled == 1);
     CHECK(grid.height(3, 0) == Approx(-1197).margin(1));
@@ -98,20 +101,23 @@ TEST_CASE("read_height_grid: what is no height grid is refused", "[scene][terrai
     CHECK_THROWS_AS(read_height_grid(folder.write("no.png", "no PNG at all"), frame), InputError);
     CHECK_THROWS_AS(read_height_grid(folder.write("grid.tif", "II*"), frame), InputError);
     CHECK_THROWS_AS(read_height_grid(kHill, std::nullopt), InputError);
-    CHECK_THROWS_AS(read_height_grid(folder.write("N36W085.hgt", hgt([](int, int) { return -32768; })), std::nullopt),
-                    InputError);
+    CHECK_THROWS_AS(
+        read_height_grid(folder.write("N36W085.hgt", hgt([](int, int) { return -32768; })), std::nullopt),
+        InputError);
 
     std::ifstream hill(kHill, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(hill), std::istreambuf_iterator<char>()};
     for (const std::size_t length : {8UL, 40UL, bytes.size() / 2, bytes.size() - 20}) {
-        CHECK_THROWS_AS(read_height_grid(folder.write("cut.png", bytes.substr(0, length)), frame), InputError);
+        CHECK_THROWS_AS(read_height_grid(folder.write("cut.png", bytes.substr(0, length)), frame),
+                        InputError);
     }
 }
 
 TEST_CASE("windowed: every stride-th sample of the window, in place", "[scene][terrain]") {
     HeightGrid grid{6, 5, {100, 200}, {10, 20}, {}, 0};
     for (int i = 0; i < 30; ++i) grid.heights.push_back(static_cast<float>(i));
-    const HeightGrid part = windowed(grid, {.first_column = 1, .first_row = 2, .columns = 5, .rows = 3, .stride = 2});
+    const HeightGrid part =
+        windowed(grid, {.first_column = 1, .first_row = 2, .columns = 5, .rows = 3, .stride = 2});
     CHECK(part.columns == 3);
     CHECK(part.rows == 2);
     CHECK(part.south_west_m == glm::dvec2(110, 240));

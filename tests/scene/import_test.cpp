@@ -35,14 +35,18 @@ Run keikan_import(const TemporaryFolder& folder, const std::string& arguments) {
     return {WEXITSTATUS(status), contents(folder / "out"), contents(folder / "err")};
 }
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+std::string quoted(const std::filesystem::path& path) {
+    return "'" + path.string() + "'";
+}
 
 /// An ESRI ASCII grid with its frame as .prj beside it: 40 x 30 samples, heights by `height(column, row)`.
 template <typename Height>
-std::filesystem::path ascii_grid(const TemporaryFolder& folder, const std::string& name, const std::string& srs,
-                                 double west, double south, double cell, const Height& height) {
+std::filesystem::path ascii_grid(const TemporaryFolder& folder, const std::string& name,
+                                 const std::string& srs, double west, double south, double cell,
+                                 const Height& height) {
     std::string text = "ncols 40\nnrows 30\nxllcorner " + std::to_string(west) + "\nyllcorner " +
-                       std::to_string(south) + "\ncellsize " + std::to_string(cell) + "\nNODATA_value -9999\n";
+                       std::to_string(south) + "\ncellsize " + std::to_string(cell) +
+                       "\nNODATA_value -9999\n";
     for (int row = 0; row < 30; ++row) {
         for (int column = 0; column < 40; ++column) text += std::to_string(height(column, row)) + " ";
         text += "\n";
@@ -66,7 +70,8 @@ HeightGrid read_back(const std::filesystem::path& grid) {
 
 }  // namespace
 
-TEST_CASE("keikan-import: whole metres in a metric frame come back as they were, voids filled", "[scene][import]") {
+TEST_CASE("keikan-import: whole metres in a metric frame come back as they were, voids filled",
+          "[scene][import]") {
     const TemporaryFolder folder;
     const auto height = [](int c, int r) { return c == 5 && r == 7 ? -9999 : 100 + 3 * c - 2 * r; };
     const auto source = ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, height);
@@ -85,7 +90,8 @@ TEST_CASE("keikan-import: whole metres in a metric frame come back as they were,
     for (int row = 0; row < 30; ++row) {
         for (int column = 0; column < 40; ++column) {
             const int expected = row == 7 && column == 5 ? 101 : height(column, row);
-            CHECK(grid.height(column, 29 - row) == Approx(expected).margin(row == 7 && column == 5 ? 0.5 : 0));
+            CHECK(grid.height(column, 29 - row) ==
+                  Approx(expected).margin(row == 7 && column == 5 ? 0.5 : 0));
         }
     }
 }
@@ -93,8 +99,10 @@ TEST_CASE("keikan-import: whole metres in a metric frame come back as they were,
 TEST_CASE("keikan-import: degrees become the metres of their UTM zone", "[scene][import]") {
     // A plane in longitude and latitude around 138.6 E, 35.4 N, in zone 54 (central meridian 141 E).
     const TemporaryFolder folder;
-    const auto source = ascii_grid(folder, "fuji", kWgs84, 138.5, 35.3, 0.005, [](int c, int r) { return 50.0 + c + r; });
-    const Run run = keikan_import(folder, "dem " + quoted(source) + " -o " + quoted(folder / "grid.png") + " --spacing 200");
+    const auto source =
+        ascii_grid(folder, "fuji", kWgs84, 138.5, 35.3, 0.005, [](int c, int r) { return 50.0 + c + r; });
+    const Run run = keikan_import(
+        folder, "dem " + quoted(source) + " -o " + quoted(folder / "grid.png") + " --spacing 200");
     INFO(run.err);
     REQUIRE(run.code == 0);
     const auto summary = nlohmann::json::parse(run.out);
@@ -114,7 +122,8 @@ TEST_CASE("keikan-import: degrees become the metres of their UTM zone", "[scene]
 
 TEST_CASE("keikan-import: only a window of the metric frame", "[scene][import]") {
     const TemporaryFolder folder;
-    const auto source = ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, [](int c, int) { return 10.0 * c; });
+    const auto source =
+        ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, [](int c, int) { return 10.0 * c; });
     const Run run = keikan_import(folder, "dem " + quoted(source) + " -o " + quoted(folder / "grid.png") +
                                               " --window 380250 3950250 380500 3950500");
     INFO(run.err);
@@ -127,14 +136,18 @@ TEST_CASE("keikan-import: only a window of the metric frame", "[scene][import]")
 
 TEST_CASE("keikan-import: bad input is one line, exit code 2, and leaves no file", "[scene][import]") {
     const TemporaryFolder folder;
-    const auto source = ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, [](int, int) { return 1.0; });
+    const auto source =
+        ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, [](int, int) { return 1.0; });
     const std::string to = " -o " + quoted(folder / "grid.png");
     for (const std::string& arguments :
-         {"dem " + quoted(folder / "missing.tif") + to, "dem " + quoted(folder.write("text.tif", "no raster")) + to,
+         {"dem " + quoted(folder / "missing.tif") + to,
+          "dem " + quoted(folder.write("text.tif", "no raster")) + to,
           "dem " + quoted(source) + to + " --srs EPSG:4326", "dem " + quoted(source) + to + " --srs nowhere",
-          "dem " + quoted(source) + to + " --spacing -3", "dem " + quoted(source) + to + " --window 0 0 10 10",
+          "dem " + quoted(source) + to + " --spacing -3",
+          "dem " + quoted(source) + to + " --window 0 0 10 10",
           "dem " + quoted(source) + " -o " + quoted(folder / "grid.tif"),
-          "dem " + quoted(source) + " -o " + quoted(folder / "no/such/grid.png"), std::string("dem"), std::string("mesh")}) {
+          "dem " + quoted(source) + " -o " + quoted(folder / "no/such/grid.png"), std::string("dem"),
+          std::string("mesh")}) {
         INFO(arguments);
         const Run run = keikan_import(folder, arguments);
         INFO(run.err);

@@ -105,8 +105,10 @@ TEST_CASE("read_scene: the smallest scene of docs/scene.md is one", "[scene][rea
 
 TEST_CASE("read_scene: three ways to state the same lens", "[scene][camera]") {
     const double half = std::atan(0.5) * 180 / 3.141592653589793;
-    for (const auto& [key, value] : {std::pair("focal_length_35mm", 36.0), {"horizontal_fov_deg", 2 * half},
-                                     {"vertical_fov_deg", 2 * std::atan(0.5 * 260 / 400) * 180 / 3.141592653589793}}) {
+    for (const auto& [key, value] :
+         {std::pair("focal_length_35mm", 36.0),
+          {"horizontal_fov_deg", 2 * half},
+          {"vertical_fov_deg", 2 * std::atan(0.5 * 260 / 400) * 180 / 3.141592653589793}}) {
         json document = sample();
         document["camera"].erase("focal_length_35mm");
         document["camera"][key] = value;
@@ -116,7 +118,8 @@ TEST_CASE("read_scene: three ways to state the same lens", "[scene][camera]") {
 
 TEST_CASE("read_scene: yaw is a compass bearing, pitch looks up", "[scene][camera]") {
     json document = sample();
-    document["camera"] = {{"position", {0, 0, 0}}, {"yaw_deg", 90}, {"pitch_deg", 30}, {"focal_length_35mm", 50}};
+    document["camera"] = {
+        {"position", {0, 0, 0}}, {"yaw_deg", 90}, {"pitch_deg", 30}, {"focal_length_35mm", 50}};
     const Camera camera = read(document).camera;
     CHECK(camera.forward.x == Approx(std::sqrt(0.75)));
     CHECK(camera.forward.y == Approx(0).margin(1e-15));
@@ -144,8 +147,11 @@ TEST_CASE("read_scene: a camera may stand so high above the ground", "[scene][ca
 
 TEST_CASE("read_scene: the sun by date, time and place", "[scene][sun]") {
     json document = sample();
-    document["light"]["sun"] = {{"date", "2003-10-17"},       {"time", "12:30:30"},        {"utc_offset_hours", -7},
-                                {"latitude_deg", 39.742476}, {"longitude_deg", -105.1786}};
+    document["light"]["sun"] = {{"date", "2003-10-17"},
+                                {"time", "12:30:30"},
+                                {"utc_offset_hours", -7},
+                                {"latitude_deg", 39.742476},
+                                {"longitude_deg", -105.1786}};
     CHECK(std::asin(read(document).light.to_sun.z) * 180 / 3.141592653589793 == Approx(39.872).margin(0.02));
     document["light"]["sun"]["time"] = "23:30";
     CHECK(refusal(document).find("below the horizon") != std::string::npos);
@@ -158,7 +164,8 @@ TEST_CASE("read_scene: what is wrong is named with its JSON path", "[scene][read
     const std::vector<std::pair<Change, std::string>> cases{
         {[](json& d) { d.erase("camera"); }, "scene.json:/: lacks the key \"camera\""},
         {[](json& d) { d["camara"] = 1; }, "scene.json:/camara: unknown key"},
-        {[](json& d) { d["objects"][1]["conductor"]["sag"] = 1; }, "scene.json:/objects/1/conductor/sag: unknown key"},
+        {[](json& d) { d["objects"][1]["conductor"]["sag"] = 1; },
+         "scene.json:/objects/1/conductor/sag: unknown key"},
         {[](json& d) { d["objects"][1]["conductor"]["sag_m"] = -2; },
          "scene.json:/objects/1/conductor/sag_m: must be greater than 0"},
         {[](json& d) { d["objects"][1]["conductor"]["sag_m"] = "8"; },
@@ -176,17 +183,30 @@ TEST_CASE("read_scene: what is wrong is named with its JSON path", "[scene][read
         {[](json& d) { d["objects"][3]["outline_m"].erase(2); },
          "scene.json:/objects/3/outline_m: must have at least 3 items, not 2"},
         {[](json& d) { d["objects"][3]["type"] = "lake"; }, "scene.json:/objects/3/type: must be"},
-        {[](json& d) { d["materials"]["a/b~c"] = {{"diffuse", -1}}; },
+        {[](json& d) {
+             d["materials"]["a/b~c"] = {{"diffuse", -1}};
+         },
          "scene.json:/materials/a~1b~0c/diffuse: must be at least 0"},
-        {[](json& d) { d["materials"]["grey"]["colour"] = "#12345g"; }, "scene.json:/materials/grey/colour: must be"},
+        {[](json& d) { d["materials"]["grey"]["colour"] = "#12345g"; },
+         "scene.json:/materials/grey/colour: must be"},
         {[](json& d) { d["image"]["width"] = 1.5; }, "scene.json:/image/width: must be a whole number"},
         {[](json& d) { d["image"]["width"] = 0; }, "scene.json:/image/width: must be from 1 to"},
-        {[](json& d) { d["camera"]["target"] = {0, -100, 40}; }, "scene.json:/camera/target: is the camera's own"},
-        {[](json& d) { d["camera"]["position"] = {0, 0}; }, "scene.json:/camera/position: needs a third number"},
-        {[](json& d) { d["light"]["sun"]["direction"] = {0, 0, 0}; },
+        {[](json& d) {
+             d["camera"]["target"] = {0, -100, 40};
+         },
+         "scene.json:/camera/target: is the camera's own"},
+        {[](json& d) {
+             d["camera"]["position"] = {0, 0};
+         },
+         "scene.json:/camera/position: needs a third number"},
+        {[](json& d) {
+             d["light"]["sun"]["direction"] = {0, 0, 0};
+         },
          "scene.json:/light/sun/direction: must have a length"},
         {[](json& d) { d["haze"] = json::array(); }, "scene.json:/haze: must be an object, not an array"},
-        {[](json& d) { d["terrain"] = {{"grid", "none.png"}, {"material", "grey"}}; },
+        {[](json& d) {
+             d["terrain"] = {{"grid", "none.png"}, {"material", "grey"}};
+         },
          "scene.json:/terrain/grid: there is no file"},
     };
     for (const auto& [change, expected] : cases) {
@@ -231,11 +251,15 @@ TEST_CASE("read_scene: cut off anywhere, a scene is refused", "[scene][read]") {
 TEST_CASE("geometry_hash: colours, lights and sky do not change it", "[scene][hash]") {
     const std::uint64_t hash = read(sample()).geometry_hash;
     CHECK(hash_after([](json& d) { d["description"] = "another"; }) == hash);
-    CHECK(hash_after([](json& d) { d["materials"]["steel"] = {{"colour", {0.9, 0, 0}}, {"exponent", 80}}; }) == hash);
+    CHECK(hash_after([](json& d) {
+              d["materials"]["steel"] = {{"colour", {0.9, 0, 0}}, {"exponent", 80}};
+          }) == hash);
     CHECK(hash_after([](json& d) { d["light"]["sun"]["direction"] = {1, 1, 1}; }) == hash);
     CHECK(hash_after([](json& d) { d.erase("background"); }) == hash);
     CHECK(hash_after([](json& d) { d["haze"]["range_m"] = 1; }) == hash);
-    CHECK(hash_after([](json& d) { d["camera"]["position"] = {0.0, -1e2, 40.0}; }) == hash);  // the same numbers
+    CHECK(hash_after([](json& d) {
+              d["camera"]["position"] = {0.0, -1e2, 40.0};
+          }) == hash);  // the same numbers
 }
 
 TEST_CASE("geometry_hash: faces, camera, size and material names change it", "[scene][hash]") {
@@ -289,7 +313,8 @@ TEST_CASE("build_geometry: an outline that crosses itself is refused with its pl
         build_geometry(scene);
         FAIL("not refused");
     } catch (const InputError& error) {
-        CHECK(std::string(error.what()).find("scene.json:/objects/0: outline_m: its sides 0 and 2") != std::string::npos);
+        CHECK(std::string(error.what()).find("scene.json:/objects/0: outline_m: its sides 0 and 2") !=
+              std::string::npos);
     }
 }
 
@@ -307,7 +332,10 @@ TEST_CASE("build_geometry: a concave water outline covers its area, level and fa
     double area = 0;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const auto c = mesh.face(f);
-        area += glm::cross(mesh.positions[c[1]] - mesh.positions[c[0]], mesh.positions[c[2]] - mesh.positions[c[0]]).z / 2;
+        area += glm::cross(mesh.positions[c[1]] - mesh.positions[c[0]],
+                           mesh.positions[c[2]] - mesh.positions[c[0]])
+                    .z /
+                2;
         CHECK(mesh.face_material[f] == 0);
     }
     CHECK(area == Approx(36 - 12));

@@ -21,10 +21,16 @@ const std::filesystem::path kSource = KEIKAN_SOURCE_DIR;
 const std::filesystem::path kSchema = kSource / "data/schema/scene.schema.json";
 
 /// What only the reader can know: the schema may accept a document that is refused for one of these.
-constexpr std::array kBeyondTheSchema{
-    "no material is named", "there is no file", "is the camera's own position", "must have a length",
-    "below the horizon", "is not a day", "must be greater than the height", "must be at least \"steep_from_deg\"",
-    "lies beside the terrain", "the window reaches outside"};
+constexpr std::array kBeyondTheSchema{"no material is named",
+                                      "there is no file",
+                                      "is the camera's own position",
+                                      "must have a length",
+                                      "below the horizon",
+                                      "is not a day",
+                                      "must be greater than the height",
+                                      "must be at least \"steep_from_deg\"",
+                                      "lies beside the terrain",
+                                      "the window reaches outside"};
 
 json first_sample() {
     json document = json::parse(R"({
@@ -66,14 +72,18 @@ json first_sample() {
         {"type": "water", "name": "w", "outline_m": [[-10, -10], [10, -10], [10, 10]], "level_m": 1, "material": "n"}
       ]
     })");
-    document["terrain"]["grid"] = document["objects"][3]["file"] = (kSource / "data/terrain/hill.png").string();
+    document["terrain"]["grid"] = document["objects"][3]["file"] =
+        (kSource / "data/terrain/hill.png").string();
     return document;
 }
 
 /// The keys that exclude those of the first.
 json second_sample() {
     json document = first_sample();
-    document["camera"] = {{"type", "orthographic"}, {"position", {1, 2, 3}}, {"yaw_deg", 90}, {"pitch_deg", 3},
+    document["camera"] = {{"type", "orthographic"},
+                          {"position", {1, 2, 3}},
+                          {"yaw_deg", 90},
+                          {"pitch_deg", 3},
                           {"width_m", 80}};
     document["light"]["sun"] = {{"azimuth_deg", 90}, {"elevation_deg", 30}};
     document["terrain"]["frame"]["spacing_m"] = 20;
@@ -97,15 +107,18 @@ std::vector<Sample> samples() {
     for (json document : {first_sample(), second_sample()}) {
         for (const json& object : document["objects"]) {
             if (!seen.insert(object.dump()).second) continue;
-            all.push_back({"/objects", {{"camera", shortest_camera}, {"materials", {{"m", json::object()}, {"n", json::object()}}}}});
+            all.push_back({"/objects",
+                           {{"camera", shortest_camera},
+                            {"materials", {{"m", json::object()}, {"n", json::object()}}}}});
             all.back().document["objects"] = json::array({object});
         }
         document.erase("objects");
         all.push_back({"", document});
     }
     all.push_back({"/camera", {{"camera", shortest_camera}}});
-    all.push_back({"", {{"camera", {{"position", {1, 2, 3}}, {"target", {3, 4, 5}}, {"horizontal_fov_deg", 50}}},
-                        {"light", {{"sun", {{"direction", {1, 1, 1}}}}}}}});
+    all.push_back({"",
+                   {{"camera", {{"position", {1, 2, 3}}, {"target", {3, 4, 5}}, {"horizontal_fov_deg", 50}}},
+                    {"light", {{"sun", {{"direction", {1, 1, 1}}}}}}}});
     return all;
 }
 
@@ -122,8 +135,8 @@ std::vector<json> mutations(const Sample& sample) {
     }
     for (const std::string& place : places) {
         const json::json_pointer pointer(place);
-        for (const json& value : {json(nullptr), json("text"), json(-1), json(0), json(2.5), json(1e12), json::object(),
-                                  json({1, 2}), json({1, 2, 3})}) {
+        for (const json& value : {json(nullptr), json("text"), json(-1), json(0), json(2.5), json(1e12),
+                                  json::object(), json({1, 2}), json({1, 2, 3})}) {
             changed.push_back(document);
             changed.back()[pointer] = value;
         }
@@ -193,7 +206,8 @@ TEST_CASE("scene schema: every key that it knows is in a sample", "[scene][schem
     }
 }
 
-TEST_CASE("scene schema: says what the reader says, of samples and of each with one thing changed", "[scene][schema]") {
+TEST_CASE("scene schema: says what the reader says, of samples and of each with one thing changed",
+          "[scene][schema]") {
     std::vector<json> documents;
     for (const Sample& sample : samples()) documents.push_back(sample.document);
     for (const Sample& sample : samples()) {
@@ -207,9 +221,9 @@ TEST_CASE("scene schema: says what the reader says, of samples and of each with 
     for (std::size_t i = 0; i < documents.size(); ++i) {
         const std::string reason = refusal(documents[i], folder);
         accepted += reason.empty();
-        const bool beyond = std::any_of(kBeyondTheSchema.begin(), kBeyondTheSchema.end(), [&](const char* words) {
-            return reason.find(words) != std::string::npos;
-        });
+        const bool beyond =
+            std::any_of(kBeyondTheSchema.begin(), kBeyondTheSchema.end(),
+                        [&](const char* words) { return reason.find(words) != std::string::npos; });
         if (beyond || (*verdicts)[i] == reason.empty()) continue;
         FAIL_CHECK((reason.empty() ? "read, but invalid: " : "valid, but refused: " + reason + ": ")
                    << documents[i].dump());

@@ -32,7 +32,8 @@ void check_triangulation(const Outline& outline) {
         const double part = area({outline[t[0]], outline[t[1]], outline[t[2]]});
         CHECK(part > 0);
         sum += part;
-        for (std::size_t k = 0; k < 3; ++k) ++edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
+        for (std::size_t k = 0; k < 3; ++k)
+            ++edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
     }
     CHECK(sum == Approx(std::abs(area(outline))));
     const auto once = std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.second == 1; });
@@ -41,13 +42,27 @@ void check_triangulation(const Outline& outline) {
 
 }  // namespace
 
-TEST_CASE("triangulate: convex, concave, spiral and flat-cornered outlines of either orientation", "[scene][water]") {
+TEST_CASE("triangulate: convex, concave, spiral and flat-cornered outlines of either orientation",
+          "[scene][water]") {
     const std::vector<Outline> outlines{
         {{0, 0}, {4, 0}, {4, 3}},
         {{0, 0}, {4, 0}, {4, 3}, {0, 3}},
         {{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {5, 4}, {5, 5}, {0, 5}},
         {{0, 0}, {2, 0}, {4, 0}, {4, 2}, {4, 4}, {2, 4}, {0, 4}, {0, 2}},
-        {{0, 0}, {9, 0}, {9, 9}, {2, 9}, {2, 4}, {6, 4}, {6, 6}, {4, 6}, {4, 7}, {7, 7}, {7, 2}, {1, 2}, {1, 9}, {0, 9}},
+        {{0, 0},
+         {9, 0},
+         {9, 9},
+         {2, 9},
+         {2, 4},
+         {6, 4},
+         {6, 6},
+         {4, 6},
+         {4, 7},
+         {7, 7},
+         {7, 2},
+         {1, 2},
+         {1, 9},
+         {0, 9}},
         {{0, 0}, {10, 1}, {20, 0}, {11, 10}, {20, 20}, {10, 19}, {0, 20}, {9, 10}},
     };
     for (Outline outline : outlines) {

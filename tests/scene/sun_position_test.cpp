@@ -27,7 +27,8 @@ TEST_CASE("sun_position: the declination of Meeus, example 25.a", "[scene][sun]"
     CHECK(sun.elevation_rad / kDegree == Approx(-7.78507).margin(kSunErrorDeg));
 }
 
-TEST_CASE("sun_position: at noon of the June solstice the sun stands over the Tropic of Cancer", "[scene][sun]") {
+TEST_CASE("sun_position: at noon of the June solstice the sun stands over the Tropic of Cancer",
+          "[scene][sun]") {
     // 2020-06-20 21:44 UTC was the solstice; the sun was overhead near 23.437 N, 145.5 W.
     const SunPosition sun = sun_position({2020, 6, 20, 21, 44, 0, 0}, 23.437, -145.54);
     CHECK(sun.elevation_rad / kDegree == Approx(90).margin(0.2));

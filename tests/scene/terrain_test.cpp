@@ -23,7 +23,9 @@ HeightGrid grid_of(int columns, int rows, double (*height)(double, double)) {
     return grid;
 }
 
-double rugged(double x, double y) { return 40 * std::sin(x / 17) * std::cos(y / 11) + x * y / 500; }
+double rugged(double x, double y) {
+    return 40 * std::sin(x / 17) * std::cos(y / 11) + x * y / 500;
+}
 
 }  // namespace
 
@@ -38,7 +40,8 @@ TEST_CASE("terrain_mesh: two triangles a cell, upwards, on the samples themselve
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const auto corners = mesh.face(f);
         REQUIRE(corners.size() == 3);
-        const glm::dvec3 a = mesh.positions[corners[0]], b = mesh.positions[corners[1]], c = mesh.positions[corners[2]];
+        const glm::dvec3 a = mesh.positions[corners[0]], b = mesh.positions[corners[1]],
+                         c = mesh.positions[corners[2]];
         const glm::dvec3 cross = glm::cross(b - a, c - a);
         CHECK(cross.z > 0);
         area += cross.z / 2;
@@ -68,7 +71,8 @@ TEST_CASE("terrain_mesh: a cell is divided along the diagonal that is more level
 TEST_CASE("terrain_mesh: normals of a plane are its own, borders included", "[scene][terrain]") {
     const HeightGrid grid = grid_of(4, 4, [](double x, double y) { return 0.25 * x - 0.5 * y + 7; });
     const glm::vec3 expected = glm::normalize(glm::vec3(-0.25f, 0.5f, 1));
-    for (const glm::vec3& normal : terrain_mesh(grid, 0).normals) CHECK(glm::length(normal - expected) < 1e-6f);
+    for (const glm::vec3& normal : terrain_mesh(grid, 0).normals)
+        CHECK(glm::length(normal - expected) < 1e-6f);
 }
 
 TEST_CASE("terrain_mesh: the same bytes for any number of threads", "[scene][terrain]") {
@@ -88,8 +92,10 @@ TEST_CASE("height_at: lies on the triangle of the mesh that is over the place", 
     const Mesh mesh = terrain_mesh(grid, 0);
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const auto corners = mesh.face(f);
-        const glm::dvec3 a = mesh.positions[corners[0]], b = mesh.positions[corners[1]], c = mesh.positions[corners[2]];
-        for (const glm::dvec3 weight : {glm::dvec3(1, 0, 0), {0.2, 0.5, 0.3}, {0.5, 0.5, 0}, {0.01, 0.01, 0.98}}) {
+        const glm::dvec3 a = mesh.positions[corners[0]], b = mesh.positions[corners[1]],
+                         c = mesh.positions[corners[2]];
+        for (const glm::dvec3 weight :
+             {glm::dvec3(1, 0, 0), {0.2, 0.5, 0.3}, {0.5, 0.5, 0}, {0.01, 0.01, 0.98}}) {
             const glm::dvec3 p = weight.x * a + weight.y * b + weight.z * c;
             const auto height = height_at(grid, p.x, p.y);
             if (!height) continue;  // rounded out of the grid

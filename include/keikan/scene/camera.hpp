@@ -30,7 +30,7 @@ struct Camera {
     double focal_px = 1000;  ///< pixels per unit of u/depth (perspective) or pixels per metre (orthographic)
     double centre_x = 500;   ///< principal point, image coordinates
     double centre_y = 325;
-    double near_m = 0.1;     ///< what is nearer than this is cut away exactly at the plane depth = near_m
+    double near_m = 0.1;  ///< what is nearer than this is cut away exactly at the plane depth = near_m
     ImageSize size{1000, 650};
 
     /// Nearness of a point at this depth: 1/depth (perspective) or -depth (orthographic).

@@ -30,7 +30,8 @@ struct HeightGrid {
 
     float height(int column, int row) const { return heights[index(column, row)]; }
     std::size_t index(int column, int row) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(column);
     }
     glm::dvec2 point(int column, int row) const {
         return {south_west_m.x + column * spacing_m.x, south_west_m.y + row * spacing_m.y};
