@@ -26,6 +26,8 @@ struct FuzzCommand {
     double seconds = 0;
     std::string engine = "splitting", save;
     bool no_contacts = false;
+    std::uint64_t rational_one_in = crosscheck::CaseCheckOptions().rational_one_in;
+    std::uint64_t cgal_one_in = crosscheck::CaseCheckOptions().boolean_sets_one_in;
 };
 
 std::vector<fuzz::Family> families_of(const std::vector<std::string>& names) {
@@ -62,6 +64,8 @@ void run_fuzz(const FuzzCommand& command, CommonOptions& common) {
     options.engine = engine_of(command.engine);
     options.contacts = !command.no_contacts;
     options.seed = common.seed;
+    options.rational_one_in = command.rational_one_in;
+    options.boolean_sets_one_in = command.cgal_one_in;
     if (!command.save.empty()) std::filesystem::create_directories(command.save);
     const ThreadLimit threads(common.threads);
     const auto start = Clock::now();
@@ -103,6 +107,14 @@ void add_fuzz_command(CLI::App& app, CommonOptions& common) {
     sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
         ->capture_default_str();
     sub->add_option("--save", command->save, "Folder for the findings, a pixel case each");
+    sub->add_option("--rational-one-in", command->rational_one_in,
+                    "After the first 256, rational splitting answers one pixel in so many")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    sub->add_option("--cgal-one-in", command->cgal_one_in,
+                    "After the first 256, CGAL's Boolean set operations answer one pixel in so many")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     sub->add_flag("--no-contacts", command->no_contacts,
                   "Areas only: do not classify the clipper's contacts");
     sub->callback([command, &common] { run_fuzz(*command, common); });
