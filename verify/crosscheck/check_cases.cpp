@@ -42,7 +42,8 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
     const bool answered = pixel_case.areas || pixel_case.background;
     PixelVerdict verdict = working.compare({pixel_case.pixel, faces, pixel_case.nearness()}, claim, proofs,
                                            answered ? &given : nullptr);
-    if (options.contacts) working.contacts({pixel_case.pixel, faces, pixel_case.nearness()}, verdict);
+    if (options.contacts)
+        working.contacts({pixel_case.pixel, faces, pixel_case.nearness()}, verdict, proofs.rational);
     verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
     for (Disagreement& d : verdict.disagreements) d.case_id = pixel_case.id;
     return verdict;

@@ -7,6 +7,7 @@
 
 #include "keikan/clip/visible_areas.hpp"
 #include "oracle/exact_intersections.hpp"
+#include "oracle/lattice_intersections.hpp"
 
 namespace keikan::crosscheck {
 namespace {
@@ -36,21 +37,36 @@ std::optional<std::string> contact_mismatch(const ClipStep& step, std::span<cons
 
 struct ContactCheck::Working {
     VisibleAreas traversal{Engine::Traversal};
+    oracle::LatticeIntersections quick;
     PixelIndex pixel;
     PixelVerdict* verdict = nullptr;
+    bool by_constructions = false;
 
     Working() {
         traversal.observe([this](const ClipStep& step) { check(step); });
     }
 
+    void disagree(Disagreement::Kind kind, const std::string& note) {
+        verdict->disagreements.push_back({.kind = kind, .pixel = pixel, .note = note});
+    }
+
     void check(const ClipStep& step) {
-        const std::vector<Contact> exact = oracle::exact_intersections(step.subject, step.clip);
-        verdict->contacts.checked += exact.size();
-        if (const auto mismatch = contact_mismatch(step, exact)) {
-            ++verdict->contacts.mismatches;
-            verdict->disagreements.push_back(
-                {.kind = Disagreement::Kind::Contact, .pixel = pixel, .note = *mismatch});
+        const auto counted = quick(step.subject, step.clip);
+        std::optional<std::string> mismatch;
+        if (counted) mismatch = contact_mismatch(step, *counted);
+        std::size_t contacts = counted ? counted->size() : 0;
+        if (!counted || mismatch || by_constructions) {
+            const std::vector<Contact> exact = oracle::exact_intersections(step.subject, step.clip);
+            ++verdict->contacts.constructed;
+            if (counted && contact_mismatch({step.subject, step.clip, *counted}, exact))
+                disagree(Disagreement::Kind::Rungs, "contacts by constructions and in whole numbers differ");
+            mismatch = contact_mismatch(step, exact);
+            contacts = exact.size();
         }
+        verdict->contacts.checked += contacts;
+        if (!mismatch) return;
+        ++verdict->contacts.mismatches;
+        disagree(Disagreement::Kind::Contact, *mismatch);
     }
 };
 
@@ -59,7 +75,8 @@ ContactCheck::~ContactCheck() = default;
 ContactCheck::ContactCheck(ContactCheck&&) noexcept = default;
 ContactCheck& ContactCheck::operator=(ContactCheck&&) noexcept = default;
 
-void ContactCheck::operator()(const Question& question, PixelVerdict& verdict) {
+void ContactCheck::operator()(const Question& question, PixelVerdict& verdict, bool by_constructions) {
+    working_->by_constructions = by_constructions;
     working_->pixel = question.pixel;
     working_->verdict = &verdict;
     const std::uint64_t folds = working_->traversal.statistics().folds;

@@ -16,7 +16,8 @@ namespace keikan::crosscheck {
 std::optional<std::string> contact_mismatch(const ClipStep& step, std::span<const Contact> exact);
 
 /// Clips the faces of pixels by the paper's clipper (Engine::Traversal) and puts every contact of every clip
-/// step to oracle::exact_intersections. One object a thread.
+/// step to oracle::LatticeIntersections, and to oracle::exact_intersections where that does not answer, on
+/// every mismatch, and where asked to; both must agree. One object a thread.
 class ContactCheck {
   public:
     ContactCheck();
@@ -25,7 +26,7 @@ class ContactCheck {
     ContactCheck& operator=(ContactCheck&&) noexcept;
 
     /// Adds what was found to `verdict`: its counts, and a Disagreement for each step that differs.
-    void operator()(const Question& question, PixelVerdict& verdict);
+    void operator()(const Question& question, PixelVerdict& verdict, bool by_constructions = false);
 
   private:
     struct Working;

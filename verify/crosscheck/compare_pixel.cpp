@@ -118,6 +118,7 @@ ContactCounts& ContactCounts::operator+=(const ContactCounts& other) {
     checked += other.checked;
     mismatches += other.mismatches;
     folds += other.folds;
+    constructed += other.constructed;
     return *this;
 }
 

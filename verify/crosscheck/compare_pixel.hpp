@@ -63,8 +63,9 @@ struct RungCounts {
 /// Contacts of the paper's clipper, against exact classification (ContactCheck).
 struct ContactCounts {
     std::uint64_t checked = 0;
-    std::uint64_t mismatches = 0;  ///< clip steps in which any contact differs
-    std::uint64_t folds = 0;       ///< ClipStatistics::folds
+    std::uint64_t mismatches = 0;   ///< clip steps in which any contact differs
+    std::uint64_t folds = 0;        ///< ClipStatistics::folds
+    std::uint64_t constructed = 0;  ///< clip steps put to CGAL's constructions too
     ContactCounts& operator+=(const ContactCounts& other);
     friend bool operator==(const ContactCounts&, const ContactCounts&) = default;
 };
