@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "commands.hpp"
+#include "contact_names.hpp"
 #include "keikan/cases/convex_ring.hpp"
 #include "keikan/cases/wkt.hpp"
 #include "keikan/clip/orient2d.hpp"
@@ -120,20 +121,6 @@ Difference as_published(const Ring& subject, const Clipper& clipper) {
     return result;
 }
 
-const char* name_of(ContactClass kind) {
-    switch (kind) {
-        case ContactClass::EdgeEdge:
-            return "edge-edge";
-        case ContactClass::SubjectVertex:
-            return "subject-vertex";
-        case ContactClass::ClipVertex:
-            return "clip-vertex";
-        case ContactClass::SharedVertex:
-            return "shared-vertex";
-    }
-    return "";
-}
-
 std::string json_of(const Difference& difference, const Clipper& clipper) {
     std::string text = "{\"intersections\": [";
     const auto out = std::back_inserter(text);
@@ -143,7 +130,7 @@ std::string json_of(const Difference& difference, const Clipper& clipper) {
                        "{}{{\"class\": \"{}\", \"point\": [{:.17g}, {:.17g}], \"subject\": {}, \"clip\": {}, "
                        "\"turn\": \"{}\"}}",
                        comma, name_of(c.kind), c.point.x, c.point.y, c.subject, given_index(clipper, c),
-                       c.turn == Turn::Enter ? "enter" : "leave");
+                       name_of(c.turn));
         comma = ", ";
     }
     text += "], \"pieces\": [";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "keikan/cases/pixel_case_file.hpp"
@@ -19,12 +21,26 @@ struct PixelCommand {
     std::string scene, at, size;
 };
 
+/// Which object each face belongs to, by name: a key that readers of pixel cases ignore.
+nlohmann::json object_names(const ProjectedFaces& faces, PixelIndex pixel, const Geometry& geometry) {
+    nlohmann::json names = nlohmann::json::array();
+    for (const std::uint32_t face : faces_at(faces, pixel)) {
+        const auto next = std::ranges::upper_bound(geometry.first_face, faces.id[face]);
+        names.push_back(
+            geometry.objects[static_cast<std::size_t>(next - geometry.first_face.begin() - 1)].name);
+    }
+    return names;
+}
+
 void pixel(const PixelCommand& command, const CommonOptions& common) {
     const ThreadLimit threads(common.threads);
     const Scene scene = read_scene(command.scene, picture_size(command.size));
     const PixelIndex index = pixel_of(command.at, scene.camera.size);
-    const ProjectedFaces faces = project_faces(build_geometry(scene), scene.camera);
-    write_whole_file("-", pixel_case_line(pixel_question(faces, index)) + "\n");
+    const Geometry geometry = build_geometry(scene);
+    const ProjectedFaces faces = project_faces(geometry, scene.camera);
+    std::string line = pixel_case_line(pixel_question(faces, index));
+    line.pop_back();
+    write_whole_file("-", line + ", \"objects\": " + object_names(faces, index, geometry).dump() + "}\n");
 }
 
 }  // namespace

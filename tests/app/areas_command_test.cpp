@@ -89,10 +89,28 @@ TEST_CASE("keikan pixel: its line is answered by keikan areas", "[app][pixel]") 
     CHECK(question["id"] == "160,75");
     CHECK(question["pixel"] == nlohmann::json::array({160, 75}));
     REQUIRE(question["polygons"].size() == question["depth"].size());
+    CHECK(question["objects"].size() == question["polygons"].size());
     const Run areas = run_keikan("areas", pixel.out);
     REQUIRE(areas.exit_code == 0);
     const auto answer = nlohmann::json::parse(areas.out);
     double sum = answer["background"].get<double>();
     for (const auto& area : answer["areas"]) sum += area.get<double>();
     CHECK(sum == Approx(1).margin(4e-15));  // kAreaSumError
+}
+
+TEST_CASE("keikan areas: --outlines tells the visible outlines, whose areas are the areas", "[app][areas]") {
+    const std::string hole = R"({"polygons": [[[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]],
+        [[0, 0], [1, 0], [1, 1], [0, 1]]]})";
+    std::string line = hole;
+    std::erase(line, '\n');
+    const Run run = run_keikan("areas --engine traversal --outlines", line + "\n");
+    REQUIRE(run.exit_code == 0);
+    const auto answer = nlohmann::json::parse(run.out);
+    CHECK(answer["areas"] == nlohmann::json::array({0.25, 0.75}));
+    REQUIRE(answer["outlines"].size() == 3);  // the square; the pixel around it, and its hole
+    CHECK(answer["outlines"][0]["face"] == 0);
+    CHECK(answer["outlines"][1]["face"] == 1);
+    CHECK(answer["outlines"][2]["face"] == 1);
+    CHECK(answer["outlines"][1]["sign"].get<int>() * answer["outlines"][2]["sign"].get<int>() == -1);
+    CHECK(run_keikan("areas --outlines", line).exit_code == 2);
 }
