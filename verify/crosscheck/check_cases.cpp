@@ -25,9 +25,7 @@ struct Working {
 PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options,
                         Working& working) {
     const std::vector<FaceView> faces = pixel_case.faces();
-    std::vector<Disagreement> faults;
-    const Claim claim = claim_of(working.product(pixel_case.pixel, faces, pixel_case.nearness()),
-                                 faces.size(), pixel_case.pixel, faults);
+    const Question question{pixel_case.pixel, faces, pixel_case.nearness()};
     const std::uint64_t draw = draw_of(options.seed, index);
     const bool all = index < options.all_rungs_for_first;
     // The published clipper is known to be wrong: rational splitting confirms it at a hundredth of the cost.
@@ -36,15 +34,27 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
                         .boolean_sets = !known_wrong && (all || draw % options.boolean_sets_one_in == 0),
                         .on_disagreement = known_wrong ? Proofs::OnDisagreement::Rational
                                                        : Proofs::OnDisagreement::BooleanSets};
+    std::vector<Disagreement> faults;
+    PixelVerdict of_contacts;
+    std::vector<Claim> claims;
+    claims.push_back(claim_of(working.product(question.pixel, faces, question.nearness), faces.size(),
+                              question.pixel, faults));
+    if (options.contacts) {
+        const PixelCoverage traversal = working.contacts(question, of_contacts, proofs.rational);
+        if (options.engine == Engine::Splitting) {
+            claims.push_back(claim_of(traversal, faces.size(), question.pixel, faults));
+            claims.back().by = "by the traversal";
+        }
+    }
     GivenAnswer given;
     if (pixel_case.areas) given.areas = *pixel_case.areas;
     if (pixel_case.background) given.background = &*pixel_case.background;
     const bool answered = pixel_case.areas || pixel_case.background;
-    PixelVerdict verdict = working.compare({pixel_case.pixel, faces, pixel_case.nearness()}, claim, proofs,
-                                           answered ? &given : nullptr);
-    if (options.contacts)
-        working.contacts({pixel_case.pixel, faces, pixel_case.nearness()}, verdict, proofs.rational);
+    PixelVerdict verdict = working.compare(question, claims, proofs, answered ? &given : nullptr);
+    verdict.contacts = of_contacts.contacts;
     verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
+    verdict.disagreements.insert(verdict.disagreements.end(), of_contacts.disagreements.begin(),
+                                 of_contacts.disagreements.end());
     for (Disagreement& d : verdict.disagreements) d.case_id = pixel_case.id;
     return verdict;
 }

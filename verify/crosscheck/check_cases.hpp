@@ -14,7 +14,9 @@ namespace keikan::crosscheck {
 
 struct CaseCheckOptions {
     Engine engine = Engine::Splitting;
-    bool contacts = true;    ///< classify every contact of the paper's clipper too
+    /// Every contact of the paper's clipper is classified too, and its areas (Engine::Traversal) are held to
+    /// the same bounds.
+    bool contacts = true;
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// So many cases at the start of each file are put to every rung; after them one in so many.
     std::uint64_t all_rungs_for_first = 256;

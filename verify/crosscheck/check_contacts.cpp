@@ -75,13 +75,15 @@ ContactCheck::~ContactCheck() = default;
 ContactCheck::ContactCheck(ContactCheck&&) noexcept = default;
 ContactCheck& ContactCheck::operator=(ContactCheck&&) noexcept = default;
 
-void ContactCheck::operator()(const Question& question, PixelVerdict& verdict, bool by_constructions) {
+PixelCoverage ContactCheck::operator()(const Question& question, PixelVerdict& verdict,
+                                       bool by_constructions) {
     working_->by_constructions = by_constructions;
     working_->pixel = question.pixel;
     working_->verdict = &verdict;
     const std::uint64_t folds = working_->traversal.statistics().folds;
-    working_->traversal(question.pixel, question.faces, question.nearness);
+    const PixelCoverage coverage = working_->traversal(question.pixel, question.faces, question.nearness);
     verdict.contacts.folds += working_->traversal.statistics().folds - folds;
+    return coverage;
 }
 
 }  // namespace keikan::crosscheck

@@ -25,8 +25,9 @@ class ContactCheck {
     ContactCheck(ContactCheck&&) noexcept;
     ContactCheck& operator=(ContactCheck&&) noexcept;
 
-    /// Adds what was found to `verdict`: its counts, and a Disagreement for each step that differs.
-    void operator()(const Question& question, PixelVerdict& verdict, bool by_constructions = false);
+    /// Adds what was found to `verdict`: its counts, and a Disagreement for each step that differs. Returns
+    /// the areas that came of it, valid until the next call.
+    PixelCoverage operator()(const Question& question, PixelVerdict& verdict, bool by_constructions = false);
 
   private:
     struct Working;

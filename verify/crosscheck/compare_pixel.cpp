@@ -25,26 +25,23 @@ struct Comparison {
     ErrorRange error;
 };
 
-/// One for each face, and the background at the end.
+/// One for each face and the background at the end, claim after claim.
 using Comparisons = std::vector<Comparison>;
 
 double claimed_at(const Claim& claim, std::size_t i) {
     return i < claim.areas.size() ? claim.areas[i] : claim.background;
 }
 
-Comparisons compared(const Claim& claim, const oracle::CertifiedAreas& truth) {
-    Comparisons result;
+void compare(const Claim& claim, const oracle::CertifiedAreas& truth, Comparisons& result) {
     for (std::size_t i = 0; i <= claim.areas.size(); ++i) {
         const oracle::CertifiedArea& area = i < claim.areas.size() ? truth.areas[i] : truth.background;
         const double claimed = claimed_at(claim, i);
         const double difference = std::isfinite(claimed) ? std::abs(claimed - area.value) : HUGE_VAL;
         result.push_back({area.value, {difference - area.error, difference + area.error}});
     }
-    return result;
 }
 
-Comparisons compared(const Claim& claim, const oracle::ExactAreas& truth) {
-    Comparisons result;
+void compare(const Claim& claim, const oracle::ExactAreas& truth, Comparisons& result) {
     for (std::size_t i = 0; i <= claim.areas.size(); ++i) {
         const Gmpq& area = i < claim.areas.size() ? truth.areas[i] : truth.background;
         const double claimed = claimed_at(claim, i);
@@ -52,6 +49,12 @@ Comparisons compared(const Claim& claim, const oracle::ExactAreas& truth) {
             std::isfinite(claimed) ? CGAL::to_double(CGAL::abs(Gmpq(claimed) - area)) : HUGE_VAL;
         result.push_back({CGAL::to_double(area), {error, error}});
     }
+}
+
+template <class Truth>
+Comparisons compared(std::span<const Claim> claims, const Truth& truth) {
+    Comparisons result;
+    for (const Claim& claim : claims) compare(claim, truth, result);
     return result;
 }
 
@@ -69,7 +72,7 @@ bool within(const oracle::CertifiedAreas& certified, const oracle::ExactAreas& e
     return within(certified.background, exact.background);
 }
 
-void add_differences(const Question& question, const Claim& claim, const Comparisons& comparisons,
+void add_differences(const Question& question, const Claim& claim, std::span<const Comparison> comparisons,
                      std::vector<Disagreement>& out) {
     const double bound = area_bound(question.faces.size());
     for (std::size_t i = 0; i < comparisons.size(); ++i) {
@@ -83,8 +86,24 @@ void add_differences(const Question& question, const Claim& claim, const Compari
         difference.exact = comparisons[i].exact;
         difference.error = comparisons[i].error.high;
         difference.bound = bound;
+        difference.note = claim.by;
         out.push_back(difference);
     }
+}
+
+/// Returns |areas + background - 1|.
+double check_sum(const Question& question, const Claim& claim, std::vector<Disagreement>& out) {
+    const double excess = excess_of_sum(claim), error = std::abs(excess);
+    const double allowed = sum_bound(question.faces.size());
+    if (!(error <= allowed))
+        out.push_back({.kind = Disagreement::Kind::Sum,
+                       .pixel = question.pixel,
+                       .claimed = 1 + excess,
+                       .exact = 1,
+                       .error = error,
+                       .bound = allowed,
+                       .note = claim.by});
+    return error;
 }
 
 void check_given(const Question& question, const GivenAnswer& given, const oracle::ExactAreas& exact,
@@ -155,8 +174,8 @@ Claim claim_of(const PixelCoverage& coverage, std::size_t faces, PixelIndex pixe
     return claim;
 }
 
-PixelVerdict PixelComparison::operator()(const Question& question, const Claim& claim, const Proofs& proofs,
-                                         const GivenAnswer* given) {
+PixelVerdict PixelComparison::operator()(const Question& question, std::span<const Claim> claims,
+                                         const Proofs& proofs, const GivenAnswer* given) {
     PixelVerdict verdict;
     verdict.faces = question.faces.size();
     std::vector<Disagreement>& out = verdict.disagreements;
@@ -169,7 +188,7 @@ PixelVerdict PixelComparison::operator()(const Question& question, const Claim& 
     ++verdict.rungs.quad;
     verdict.rungs.certified += quick.certified;
     Comparisons comparisons;
-    if (quick.certified) comparisons = compared(claim, quick);
+    if (quick.certified) comparisons = compared(claims, quick);
     bool settled = quick.certified && all_hold(comparisons, bound);
 
     std::optional<oracle::ExactAreas> exact;
@@ -180,7 +199,7 @@ PixelVerdict PixelComparison::operator()(const Question& question, const Claim& 
         ++verdict.rungs.rational;
         if (quick.certified && !within(quick, *exact))
             rungs_differ("rational splitting is outside of the certified range");
-        comparisons = compared(claim, *exact);
+        comparisons = compared(claims, *exact);
         settled = all_hold(comparisons, bound);
     }
     if (proofs.boolean_sets || (!settled && proofs.on_disagreement == Proofs::OnDisagreement::BooleanSets)) {
@@ -189,19 +208,13 @@ PixelVerdict PixelComparison::operator()(const Question& question, const Claim& 
         if (!(sets == *exact)) rungs_differ("CGAL's Boolean set operations and rational splitting differ");
     }
 
-    add_differences(question, claim, comparisons, out);
+    const std::size_t areas = question.faces.size() + 1;
+    for (std::size_t c = 0; c < claims.size(); ++c) {
+        add_differences(question, claims[c], std::span(comparisons).subspan(c * areas, areas), out);
+        verdict.sum_error = std::max(verdict.sum_error, check_sum(question, claims[c], out));
+    }
     if (given) check_given(question, *given, *exact, out);
     for (const Comparison& c : comparisons) verdict.area_error = std::max(verdict.area_error, c.error.high);
-    const double excess = excess_of_sum(claim);
-    verdict.sum_error = std::abs(excess);
-    const double allowed = sum_bound(question.faces.size());
-    if (!(verdict.sum_error <= allowed))
-        out.push_back({.kind = Disagreement::Kind::Sum,
-                       .pixel = question.pixel,
-                       .claimed = 1 + excess,
-                       .exact = 1,
-                       .error = verdict.sum_error,
-                       .bound = allowed});
     return verdict;
 }
 

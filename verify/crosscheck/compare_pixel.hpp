@@ -25,6 +25,7 @@ struct Question {
 struct Claim {
     std::vector<double> areas;
     double background = 1;
+    std::string by = {};  ///< the engine, where a disagreement shall name it
 };
 
 /// The answer of VisibleAreas for `faces` faces as a claim; whatever of its contract (rising positions, areas
@@ -87,8 +88,14 @@ struct PixelVerdict {
 /// have the last word on every disagreement. Wherever two rungs answered, they must agree.
 class PixelComparison {
   public:
+    /// Several claims are several engines' answers to the same question: all must hold, and the errors of the
+    /// verdict are the largest of any.
+    PixelVerdict operator()(const Question& question, std::span<const Claim> claims,
+                            const Proofs& proofs = {}, const GivenAnswer* given = nullptr);
     PixelVerdict operator()(const Question& question, const Claim& claim, const Proofs& proofs = {},
-                            const GivenAnswer* given = nullptr);
+                            const GivenAnswer* given = nullptr) {
+        return (*this)(question, std::span(&claim, 1), proofs, given);
+    }
 
   private:
     oracle::CertifiedSplitting certified_;
