@@ -37,7 +37,7 @@ class Clipper {
 
     double visible_area(const ClipperLib::Path& path) {
         clipper_.Clear();
-        clipper_.AddPath(path, ClipperLib::ptSubject, true);  // false: no area on the grid, shows nothing
+        if (!clipper_.AddPath(path, ClipperLib::ptSubject, true)) return 0;  // no area on the grid
         clipper_.AddPaths(nearer_, ClipperLib::ptClip, true);
         if (!clipper_.Execute(ClipperLib::ctDifference, rest_, ClipperLib::pftNonZero,
                               ClipperLib::pftNonZero))
