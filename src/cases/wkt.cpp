@@ -3,100 +3,95 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
+#include <utility>
 
+#include "case_json.hpp"
 #include "keikan/support/input_error.hpp"
+#include "wkt_cursor.hpp"
 
 namespace keikan {
 
 namespace {
 
-/// A place in the text. Every step skips white space before it.
-class WktCursor {
-  public:
-    WktCursor(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+using namespace cases;
 
-    [[noreturn]] void refuse(const std::string& reason) const {
-        throw InputError(name_, fmt::format("column {}", at_ + 1), reason);
-    }
-    bool accept(char c) {
-        skip_space();
-        if (at_ == text_.size() || text_[at_] != c) return false;
-        ++at_;
-        return true;
-    }
-    void expect(char c) {
-        if (!accept(c)) refuse(fmt::format("expected '{}'", c));
-    }
-    /// The next word, in capitals; empty where there is none.
-    std::string word() {
-        skip_space();
-        std::string found;
-        while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0)
-            found += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[at_++])));
-        return found;
-    }
-    double number() {
-        skip_space();
-        const std::string rest(text_.substr(at_, text_.find_first_of(",() \t\r\n", at_) - at_));
-        char* end = nullptr;
-        const double value = std::strtod(rest.c_str(), &end);
-        if (rest.empty() || end != rest.c_str() + rest.size()) refuse("expected a number");
-        if (!std::isfinite(value)) refuse("the number is not finite");
-        at_ += rest.size();
-        return value;
-    }
-    void expect_end() {
-        skip_space();
-        if (at_ != text_.size()) refuse("something follows the polygon");
-    }
+/// "(x y, x y, ...)", closed.
+std::string ring_text(const Ring& ring) {
+    std::string text = "(";
+    for (const Point p : ring) text += fmt::format("{:.17g} {:.17g}, ", p.x, p.y);
+    return text + fmt::format("{:.17g} {:.17g})", ring[0].x, ring[0].y);
+}
 
-  private:
-    void skip_space() {
-        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+/// The case of a geometry, and of the comment before it.
+PixelCase case_of(std::vector<Polygon>&& polygons, std::string_view attributes, std::size_t line) {
+    PixelCase result;
+    for (Polygon& polygon : polygons) {
+        const std::string where = fmt::format("polygon {}", result.polygons.size());
+        if (!polygon.holes.empty()) throw BadCase(where, "has a hole");
+        result.polygons.push_back(convex(std::move(polygon.outline), where));
     }
-    std::string_view text_;
-    const std::string& name_;
-    std::size_t at_ = 0;
-};
+    const Json keys = attributes.empty() ? Json::object() : parsed(attributes);
+    read_attributes(keys, std::to_string(line), result);
+    return result;
+}
 
 }  // namespace
 
 Ring ring_from_wkt(std::string_view text, const std::string& name) {
-    WktCursor cursor(text, name);
+    WktCursor cursor(text, name, WktCursor::Place::Column);
     if (cursor.word() != "POLYGON") cursor.refuse("expected POLYGON ((x y, x y, ...))");
+    Polygon polygon = cursor.polygon();
+    if (!polygon.holes.empty()) cursor.refuse("a polygon with holes is not one ring");
+    if (!cursor.at_end()) cursor.refuse("something follows the polygon");
     Ring ring;
-    if (cursor.word() == "EMPTY") {
-        cursor.expect_end();
-        return ring;
-    }
-    cursor.expect('(');
-    cursor.expect('(');
-    std::size_t points = 0;
-    Point first;
-    Point last;
-    do {
-        last.x = cursor.number();
-        last.y = cursor.number();
-        if (points++ == 0) first = last;
-        if (ring.empty() || ring.back() != last) ring.push_back(last);
-    } while (cursor.accept(','));
-    if (first != last || points < 2) cursor.refuse("the ring does not end where it begins");
+    for (const Point p : polygon.outline)
+        if (ring.empty() || ring.back() != p) ring.push_back(p);
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
-    cursor.expect(')');
-    if (cursor.accept(',')) cursor.refuse("a polygon with holes is not one ring");
-    cursor.expect(')');
-    cursor.expect_end();
     return ring;
 }
 
 std::string wkt_from_ring(const Ring& ring) {
-    if (ring.empty()) return "POLYGON EMPTY";
-    std::string text = "POLYGON ((";
-    for (const Point p : ring) text += fmt::format("{:.17g} {:.17g}, ", p.x, p.y);
-    return text + fmt::format("{:.17g} {:.17g}))", ring[0].x, ring[0].y);
+    return ring.empty() ? "POLYGON EMPTY" : fmt::format("POLYGON ({})", ring_text(ring));
+}
+
+std::vector<Polygon> polygons_from_wkt(std::string_view text, const std::string& name) {
+    WktCursor cursor(text, name, WktCursor::Place::LineAndColumn);
+    std::vector<Polygon> polygons;
+    for (cursor.skip_comments(); !cursor.at_end(); cursor.skip_comments())
+        std::ranges::move(cursor.geometry(), std::back_inserter(polygons));
+    return polygons;
+}
+
+WktCaseReader::WktCaseReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+
+std::optional<PixelCase> WktCaseReader::next() {
+    WktCursor cursor(text_, name_, WktCursor::Place::LineAndColumn, at_);
+    const std::string_view attributes = cursor.skip_comments();
+    if (cursor.at_end()) return std::nullopt;
+    line_ += lines_between(text_, at_, cursor.at());
+    at_ = cursor.at();
+    const std::size_t line = line_;
+    std::vector<Polygon> polygons = cursor.geometry();
+    line_ += lines_between(text_, at_, cursor.at());
+    at_ = cursor.at();
+    try {
+        return case_of(std::move(polygons), attributes, line);
+    } catch (const BadCase& bad) {
+        throw InputError(name_, std::to_string(line), bad.what());
+    }
+}
+
+std::string wkt_from_case(const PixelCase& pixel_case) {
+    std::string text = fmt::format("# {{{}}}\nGEOMETRYCOLLECTION ", attributes_text(pixel_case));
+    if (pixel_case.polygons.empty()) return text + "EMPTY";
+    const char* separator = "(";
+    for (const Ring& ring : pixel_case.polygons) {
+        text += separator;
+        text += wkt_from_ring(ring);
+        separator = ", ";
+    }
+    return text + ")";
 }
 
 }  // namespace keikan

@@ -5,6 +5,7 @@
 //   scene    every pixel of a picture       scene_command.cpp
 //   areas    pixel cases, one or millions   areas_command.cpp
 //   fuzz     degenerate random pixels       fuzz_command.cpp
+//   convert  pixel cases, WKT, GeoJSON, SVG convert_command.cpp
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -30,6 +31,7 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     keikan::add_scene_command(app, common);
     keikan::add_areas_command(app, common);
     keikan::add_fuzz_command(app, common);
+    keikan::add_convert_command(app);
 }
 
 int told(int exit_code, const char* what) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "keikan/cases/polygon.hpp"
+#include "keikan/model/pixel_case.hpp"
+
+namespace keikan {
+
+/// The polygons of all GeoJSON documents (RFC 7946) in `text`, in their order: Polygon, MultiPolygon, and
+/// GeometryCollection, Feature and FeatureCollection of these. Each coordinate is exactly the double that it
+/// names; of a position the first two numbers count. Repeated points are kept; only the point that closes a
+/// ring is left out. A feature without geometry has no polygon.
+///
+/// Errors: InputError naming `name`, line and place in the document and the reason: broken JSON, another kind
+///         of geometry, a ring that does not end where it begins, a number that is not finite.
+std::vector<Polygon> polygons_from_geojson(std::string_view text, const std::string& name);
+
+/// Pixel cases in GeoJSON (docs/cases.md): each document is a case, its polygons nearest first. The document
+/// may have the keys of a pixel case other than "polygons" as members; the id defaults to the line.
+///
+/// Errors: InputError, as polygons_from_geojson and PixelCaseReader; a hole is one, too.
+class GeoJsonCaseReader {
+  public:
+    /// `text` must outlive the reader; `name` stands for it in messages.
+    GeoJsonCaseReader(std::string_view text, std::string name);
+    std::optional<PixelCase> next();
+
+  private:
+    std::string_view text_;
+    std::string name_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 1;  ///< of `at_`
+};
+
+/// The case as a FeatureCollection on one line without its line end, one Feature for each polygon, with 17
+/// significant digits. GeoJsonCaseReader reads the same case again, bit for bit.
+std::string geojson_from_case(const PixelCase& pixel_case);
+
+}  // namespace keikan
