@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "fuzz/grid_polygons.hpp"
 #include "fuzz/random_numbers.hpp"
 
 namespace keikan::fuzz {
@@ -96,6 +97,8 @@ class Generator {
                 return coplanar();
             case Family::Mixed:
                 return mixed();
+            case Family::GridUlp:
+                return grid_ulp();
         }
     }
 
@@ -417,6 +420,41 @@ class Generator {
         rings = std::move(all);
     }
 
+    /// Pairs that the exhaustive tests hold, and a second clipper for what the first leaves: each vertex
+    /// beside its place of the grid by at most an ulp.
+    void grid_ulp() {
+        const bool triangles = random_.chance(1.0 / 3);
+        const std::vector<GridPolygon>& polygons = triangles ? triangles_of_4_x_4() : polygons_of_3_x_3();
+        // The multiples of an ulp of the first two places are those that the product rounds to, so that it
+        // sees the very doubles; the third has vertices on the pixel's border, the last is far from the
+        // origin.
+        struct Place {
+            double from, step;
+            PixelIndex pixel;
+        };
+        const double step = triangles ? 0.125 : 0.1875;
+        const Place places[] = {{0.5625, step, {}},
+                                {0.53125, step, {}},
+                                {0, triangles ? 1.0 / 3 : 0.5, {}},
+                                {0.25, step, {}},
+                                {4095.25, step, {4095, 2159}}};
+        const Place& place = places[random_.whole(0, 4)];
+        pixel = place.pixel;
+        const double from_y = place.from - pixel.x + pixel.y;
+        repeat(2, triangles ? 2 : 3, [&] {
+            const GridPolygon& polygon =
+                polygons[static_cast<std::size_t>(random_.whole(0, static_cast<int>(polygons.size()) - 1))];
+            Ring ring;
+            for (const GridPlace at : polygon) {
+                const double x = ulps(place.from + at.x * place.step, random_.whole(-1, 1));
+                ring.push_back({x, ulps(from_y + at.y * place.step, random_.whole(-1, 1))});
+            }
+            std::rotate(ring.begin(), ring.begin() + random_.whole(0, static_cast<int>(ring.size()) - 1),
+                        ring.end());
+            return ring;
+        });
+    }
+
     RandomNumbers& random_;
 };
 
@@ -438,7 +476,7 @@ PixelCase degenerate_case(Family family, std::uint64_t seed, std::uint64_t index
     result.polygons = std::move(generator.rings);
     if (!generator.planes.empty()) {
         result.depth = std::move(generator.planes);
-    } else if (random.chance(0.25)) {
+    } else if (family != Family::GridUlp && random.chance(0.25)) {
         result.depth.emplace();
         for (std::size_t i = 0; i < result.polygons.size(); ++i)
             result.depth->push_back(generator.random_plane());

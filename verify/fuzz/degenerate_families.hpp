@@ -34,9 +34,10 @@ enum class Family : std::uint8_t {
     Interpenetrating,  ///< depth planes: faces through each other
     Coplanar,          ///< depth planes that agree to an ulp, or wholly
     Mixed,             ///< polygons from several of the families above
+    GridUlp,           ///< two or three polygons of a 3 x 3 or 4 x 4 grid, vertices moved by -1, 0 or +1 ulp
 };
 
-inline constexpr std::array<std::string_view, 23> kFamilyNames = {"random",
+inline constexpr std::array<std::string_view, 24> kFamilyNames = {"random",
                                                                   "grid8",
                                                                   "grid4",
                                                                   "fan",
@@ -58,7 +59,8 @@ inline constexpr std::array<std::string_view, 23> kFamilyNames = {"random",
                                                                   "cyclic",
                                                                   "interpenetrating",
                                                                   "coplanar",
-                                                                  "mixed"};
+                                                                  "mixed",
+                                                                  "grid-ulp"};
 
 inline constexpr std::string_view name_of(Family family) {
     return kFamilyNames[static_cast<std::size_t>(family)];
@@ -66,8 +68,8 @@ inline constexpr std::string_view name_of(Family family) {
 std::optional<Family> family_of(std::string_view name);
 
 /// The pixel case number `index` of a family under `seed`: the same for ever, on every machine, in any order.
-/// About a quarter of the cases of families without planes of their own get random ones. Its id is
-/// "family/seed/index".
+/// About a quarter of the cases of families without planes of their own get random ones (not GridUlp). Its id
+/// is "family/seed/index".
 PixelCase degenerate_case(Family family, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace keikan::fuzz
