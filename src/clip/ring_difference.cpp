@@ -45,39 +45,83 @@ void RingDifference::operator()(std::span<const Point> subject, int sign, std::s
                                 SignedRings& rest) {
     subject_ = subject;
     clip_ = clip;
-    contacts_ = classify_(subject, clip);
-    turns_.clear();
-    for (std::uint32_t c = 0; c < contacts_.size(); ++c)
-        if (contacts_[c].turn != Turn::Touch) turns_.push_back(c);
+    position_ = classify_.position(subject, clip);
+    if (position_ == Position::Within) return;
+    if (position_ == Position::Apart) return rest.add(subject, sign);
 
-    int whole_copies = 0;  // of the clipper, walked against its direction
-    if (turns_.empty()) {
-        if (!classify_.reaches_outside()) return;
+    contacts_ = classify_.contacts();
+    find_turns();
+    int whole_copies = classify_.winding_outside_first_edge();  // of the clipper, against its direction
+    if (turns_.empty())
         rest.add(subject, sign);
-        whole_copies = classify_.winding_outside_first_edge();
-    } else {
-        sort_stations();
-        whole_copies = order_by_walks();
-        match_walks();
-        follow_rings(sign, rest);
-    }
+    else if (turns_.size() == 2)
+        whole_copies = join_two(whole_copies);
+    else
+        whole_copies = join_all(whole_copies);
+    follow_rings(sign, rest);
     for (int i = 0; i < std::abs(whole_copies); ++i) rest.add(clip, whole_copies > 0 ? -sign : sign);
 }
 
-void RingDifference::sort_stations() {
+std::span<const Contact> RingDifference::contacts() {
+    if (position_ != Position::Open) contacts_ = classify_(subject_, clip_);
+    return contacts_;
+}
+
+void RingDifference::find_turns() {
+    turns_.clear();
     const auto m = static_cast<std::uint32_t>(clip_.size());
-    stations_.clear();
-    for (const std::uint32_t c : turns_) {
+    for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
         const Contact& contact = contacts_[c];
-        const bool at_vertex =
-            contact.kind == ContactClass::ClipVertex || contact.kind == ContactClass::SharedVertex;
-        const Point a = clip_[contact.clip];
-        const Point b = clip_[contact.clip + 1 == m ? 0 : contact.clip + 1];
-        const bool along_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
-        const double along = along_x ? std::abs(contact.point.x - a.x) : std::abs(contact.point.y - a.y);
-        stations_.push_back(
-            {c, (contact.clip + m - 1) % m, at_vertex ? -1.0 : along, contact.turn == Turn::Leave});
+        if (contact.turn == Turn::Touch) continue;
+        TurnOnClip& turn = turns_.emplace_back();
+        turn.contact = c;
+        turn.rank = (contact.clip == 0 ? m : contact.clip) - 1;
+        turn.leave = contact.turn == Turn::Leave;
     }
+}
+
+/// Distance from the start of the clipper's edge; a vertex is before everything on the edge.
+double RingDifference::along_edge(const TurnOnClip& turn) const {
+    const Contact& contact = contacts_[turn.contact];
+    if (contact.kind == ContactClass::ClipVertex || contact.kind == ContactClass::SharedVertex) return -1;
+    const Point a = clip_[contact.clip];
+    const Point b = clip_[contact.clip + 1 == clip_.size() ? 0 : contact.clip + 1];
+    const bool along_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+    return along_x ? std::abs(contact.point.x - a.x) : std::abs(contact.point.y - a.y);
+}
+
+/// join_all for one Leave and one Enter: there is nothing to match.
+int RingDifference::join_two(int walks) {
+    const bool leave_first = turns_[0].leave;
+    TurnOnClip& leave = turns_[leave_first ? 0 : 1];
+    TurnOnClip& enter = turns_[leave_first ? 1 : 0];
+    bool from_leave = leave.rank < enter.rank;  // does the clipper's outline meet the Leave first?
+    if (leave.rank == enter.rank) {
+        const double along_leave = along_edge(leave), along_enter = along_edge(enter);
+        from_leave = along_leave < along_enter || (along_leave == along_enter && leave_first);
+        if (walks == (from_leave ? 1 : 0)) from_leave = !from_leave;  // rounding has confused their order
+    }
+    const auto m = static_cast<std::uint32_t>(clip_.size());
+    enter.exit = leave_first ? 0 : 1;
+    enter.walk = enter.rank + (from_leave ? 0 : m) - leave.rank;
+    const int whole_copies = walks - (from_leave ? 0 : 1);
+    if (whole_copies != 0) ++folds_;
+    return whole_copies;
+}
+
+/// Joins each Enter with a Leave, given the walks next to the end of edge 0. Returns the whole copies of the
+/// clipper.
+int RingDifference::join_all(int walks) {
+    sort_stations();
+    const int whole_copies = order_by_walks(walks);
+    match_walks();
+    return whole_copies;
+}
+
+void RingDifference::sort_stations() {
+    stations_.clear();
+    for (std::uint32_t t = 0; t < turns_.size(); ++t)
+        stations_.push_back({t, turns_[t].rank, along_edge(turns_[t]), turns_[t].leave});
     // A handful of stations: insertion keeps those at one place in the subject's order.
     for (std::size_t i = 1; i < stations_.size(); ++i) {
         const Station moving = stations_[i];
@@ -95,8 +139,7 @@ void RingDifference::sort_stations() {
 /// walked 0 or 1 times (points of one line: the sum of the walks is the same), and turns the list so that the
 /// stretch before its first station has the fewest walks. Returns that number, the whole copies of the
 /// clipper.
-int RingDifference::order_by_walks() {
-    int walks = classify_.winding_outside_first_edge();
+int RingDifference::order_by_walks(int walks) {
     int fewest = walks;
     int most = walks;
     std::size_t start = 0;
@@ -126,36 +169,29 @@ int RingDifference::order_by_walks() {
     return fewest;
 }
 
-/// Each Enter is joined with a Leave, like brackets: every stretch between them is walked back once.
+/// Like brackets: every stretch between an Enter and its Leave is walked back once.
 void RingDifference::match_walks() {
-    turn_of_contact_.resize(contacts_.size());
-    for (std::uint32_t t = 0; t < turns_.size(); ++t) turn_of_contact_[turns_[t]] = t;
-    exit_of_turn_.resize(turns_.size());
-    walk_length_.resize(turns_.size());
     open_leaves_.clear();
-    for (std::uint32_t s = 0; s < stations_.size(); ++s) {
-        if (stations_[s].leave) {
-            open_leaves_.push_back(s);
+    for (const Station& station : stations_) {
+        if (station.leave) {
+            open_leaves_.push_back(station);
             continue;
         }
-        const Station& exit = stations_[open_leaves_.back()];
+        turns_[station.turn].exit = open_leaves_.back().turn;
+        turns_[station.turn].walk = station.rank - open_leaves_.back().rank;
         open_leaves_.pop_back();
-        const std::uint32_t enter = turn_of_contact_[stations_[s].contact];
-        exit_of_turn_[enter] = turn_of_contact_[exit.contact];
-        walk_length_[enter] = stations_[s].rank - exit.rank;
     }
 }
 
 void RingDifference::follow_rings(int sign, SignedRings& rest) {
-    followed_.assign(turns_.size(), 0);
     for (std::size_t t = 0; t < turns_.size(); ++t) {
-        if (followed_[t] != 0 || contacts_[turns_[t]].turn == Turn::Enter) continue;
-        for (std::size_t leave = t; followed_[leave] == 0;) {
-            followed_[leave] = 1;
+        if (!turns_[t].leave || turns_[t].followed) continue;
+        for (std::size_t leave = t; !turns_[leave].followed;) {
+            turns_[leave].followed = true;
             const std::size_t enter = leave + 1 == turns_.size() ? 0 : leave + 1;
             follow_outside(leave, rest);
-            walk_back(enter, rest);
-            leave = exit_of_turn_[enter];
+            walk_back(turns_[enter], rest);
+            leave = turns_[enter].exit;
         }
         rest.close_ring(sign);
     }
@@ -165,8 +201,8 @@ void RingDifference::follow_rings(int sign, SignedRings& rest) {
 void RingDifference::follow_outside(std::size_t leave_turn, SignedRings& rest) {
     const std::size_t n = subject_.size();
     const bool wraps = leave_turn + 1 == turns_.size();
-    const Contact& leave = contacts_[turns_[leave_turn]];
-    const Contact& enter = contacts_[turns_[wraps ? 0 : leave_turn + 1]];
+    const Contact& leave = contacts_[turns_[leave_turn].contact];
+    const Contact& enter = contacts_[turns_[wraps ? 0 : leave_turn + 1].contact];
     const bool enters_at_vertex =
         enter.kind == ContactClass::SubjectVertex || enter.kind == ContactClass::SharedVertex;
     const std::size_t last = enter.subject + (wraps ? n : 0) - (enters_at_vertex ? 1 : 0);
@@ -176,9 +212,9 @@ void RingDifference::follow_outside(std::size_t leave_turn, SignedRings& rest) {
 }
 
 /// The clipper's vertices from an Enter back to the Leave that it is joined with, ends excluded.
-void RingDifference::walk_back(std::size_t enter_turn, SignedRings& rest) {
-    std::size_t vertex = contacts_[turns_[enter_turn]].clip;
-    for (std::uint32_t i = 0; i < walk_length_[enter_turn]; ++i) {
+void RingDifference::walk_back(const TurnOnClip& enter, SignedRings& rest) {
+    std::size_t vertex = contacts_[enter.contact].clip;
+    for (std::uint32_t i = 0; i < enter.walk; ++i) {
         rest.add_point(clip_[vertex]);
         vertex = (vertex == 0 ? clip_.size() : vertex) - 1;
     }

@@ -27,8 +27,7 @@ namespace keikan {
 ///           (where rounding made it so) cross itself. `clip`: exactly strictly convex, turning from +x
 ///           towards +y. Finite coordinates.
 /// Exact:    everything but the point of EdgeEdge: every choice is the sign of an orient2d of given points.
-/// Error:    an EdgeEdge point is within kCrossingError times the extent of the subject's edge of both edges'
-/// lines
+/// Error:    an EdgeEdge point is within kCrossingError times the extent of the subject's edge of both lines
 ///           (along nearly parallel edges it may be further from the exact crossing).
 /// Cost:     subject.size() * clip.size() orientations.
 /// Paper:    section 3.2.1, Fig. 4 (a) to (e). Departure D1: case (4) follows the rule of (1) to (3).
@@ -38,38 +37,55 @@ class IntersectionClassifier {
     /// Where EdgeEdge points are rounded to.
     enum class Lattice {
         Doubles,  ///< the nearest doubles
-        Pixel,    ///< multiples of 2^-53: for pixel-local coordinates, on which orient2d is cheapest
+        Pixel,    ///< multiples of 2^-53; both rings must hold nothing else, all of it in [0, 1]
     };
     explicit IntersectionClassifier(Lattice lattice = Lattice::Doubles) : lattice_(lattice) {}
 
     std::span<const Contact> operator()(std::span<const Point> subject, std::span<const Point> clip);
 
-    /// Of the last call: how often `subject` winds around a point just outside edge 0 of `clip`, next to
-    /// its end. Exact. It settles how many whole copies of the clipper a difference must hold.
-    int winding_outside_first_edge() const { return winding_; }
+    /// How two rings lie as a whole.
+    enum class Position {
+        Apart,   ///< an edge of the clipper has the subject on its outer side or its line: nothing in common
+        Within,  ///< no vertex of the subject is strictly outside the closed clipper: nor is anything else
+        Open,    ///< neither
+    };
+    /// The first half of the work: it goes no further than the answer needs.
+    Position position(std::span<const Point> subject, std::span<const Point> clip);
+    /// The second half: the contacts of the rings of the last `position`. Requires: it was Open.
+    std::span<const Contact> contacts();
 
-    /// Of the last call: whether any vertex of `subject` lies strictly outside the closed clipper.
-    bool reaches_outside() const { return reaches_outside_; }
+    /// After `contacts`, how often `subject` winds around a point just outside edge 0 of `clip`, next to its
+    /// end. Exact. It settles how many whole copies of the clipper a difference must hold.
+    int winding_outside_first_edge() const;
 
   private:
+    using Set = std::uint64_t;  ///< of vertices of the subject, or of the edges that start there, by bits
     enum class Place : std::uint8_t { Outside, Inside, OnEdge, OnVertex };
     struct Location {
         Place place = Place::Inside;
         std::uint32_t clip = 0;  ///< the edge or vertex that it is on
     };
 
-    std::int8_t side(std::size_t vertex, std::size_t edge) const {
-        return sides_[vertex * clip_.size() + edge];
+    template <class Line>
+    Position measure_sides(bool all);
+    template <class Line>
+    void contacts_across(std::size_t vertex);
+    template <class Line>
+    int count_winding() const;
+    int side(std::size_t vertex, std::size_t edge) const {
+        const std::size_t word = edge * words_ + vertex / 64;
+        return (outside_[word] >> vertex % 64 & 1) != 0 ? -1 : (on_[word] >> vertex % 64 & 1) != 0 ? 0 : 1;
     }
     bool outside_wedge(std::size_t vertex, std::size_t clip_vertex) const;
-    void measure_sides();
     Location locate(std::size_t vertex) const;
-    void contact_at_vertex(std::size_t vertex);
+    void find_contacts_by_sets();
+    void find_contacts_one_by_one();
+    void contact_at_vertex(std::size_t vertex, Location here);
     void contacts_inside_edge(std::size_t vertex);
     void contacts_along_edge(std::size_t vertex, std::size_t edge);
     void contacts_across(std::size_t vertex);
+    void contact_crossing(std::size_t vertex, std::size_t edge);
     Point crossing(std::size_t vertex, std::size_t edge) const;
-    void count_winding();
     std::size_t after(std::size_t vertex) const { return vertex + 1 == subject_.size() ? 0 : vertex + 1; }
     std::size_t before(std::size_t vertex) const { return (vertex == 0 ? subject_.size() : vertex) - 1; }
     std::size_t clip_after(std::size_t vertex) const { return vertex + 1 == clip_.size() ? 0 : vertex + 1; }
@@ -78,11 +94,11 @@ class IntersectionClassifier {
     Lattice lattice_;
     std::span<const Point> subject_;
     std::span<const Point> clip_;
-    std::vector<std::int8_t> sides_;  ///< of subject vertex i and clip edge j, at i * clip.size() + j
-    std::vector<Location> locations_;
+    // For each edge of the clipper, words_ sets: the subject's vertices strictly outside it and on its line.
+    std::size_t words_ = 1;
+    std::vector<Set> outside_;
+    std::vector<Set> on_;
     std::vector<Contact> contacts_;
-    int winding_ = 0;
-    bool reaches_outside_ = false;
 };
 
 /// Error of a crossing point per unit of the subject edge's extent: half a unit in the last place each for

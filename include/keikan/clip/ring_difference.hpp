@@ -69,41 +69,52 @@ class RingDifference {
     /// Appends `subject` outside `clip`, times `sign`, to `rest`.
     void operator()(std::span<const Point> subject, int sign, std::span<const Point> clip, SignedRings& rest);
 
-    /// The contacts of the last call.
-    std::span<const Contact> contacts() const { return contacts_; }
+    /// The contacts of the last call, whose rings must still be there. They are found only now if the rings
+    /// lie so that none was needed (IntersectionClassifier::Position).
+    std::span<const Contact> contacts();
 
     /// Calls in which rounding had folded the subject over itself at the clipper's outline, so that a stretch
     /// is walked other than 0 or 1 times. The area is right all the same; the rings overlap there.
     std::uint64_t folds() const { return folds_; }
 
   private:
-    /// A turn, where it lies along the clipper's outline, counted from the end of edge 0.
-    struct Station {
+    using Position = IntersectionClassifier::Position;
+    /// A contact that enters or leaves.
+    struct TurnOnClip {
         std::uint32_t contact = 0;  ///< into contacts_
-        std::uint32_t rank = 0;     ///< edges passed since the end of edge 0
-        double along = 0;           ///< distance from the edge's start; a vertex is at -1
+        std::uint32_t rank = 0;     ///< edges of the clipper passed since the end of edge 0
+        bool leave = false;
+        bool followed = false;   ///< of a Leave: a ring goes through it
+        std::uint32_t exit = 0;  ///< of an Enter: the turn at which its walk ends
+        std::uint32_t walk = 0;  ///< of an Enter: the clipper's vertices on its walk
+    };
+    /// A turn, where it lies along the clipper's outline.
+    struct Station {
+        std::uint32_t turn = 0;  ///< into turns_
+        std::uint32_t rank = 0;
+        double along = 0;
         bool leave = false;
     };
 
+    void find_turns();
+    double along_edge(const TurnOnClip& turn) const;
+    int join_two(int walks);
+    int join_all(int walks);
     void sort_stations();
-    int order_by_walks();
+    int order_by_walks(int walks);
     void match_walks();
     void follow_rings(int sign, SignedRings& rest);
     void follow_outside(std::size_t leave_turn, SignedRings& rest);
-    void walk_back(std::size_t enter_turn, SignedRings& rest);
+    void walk_back(const TurnOnClip& enter, SignedRings& rest);
 
     IntersectionClassifier classify_;
     std::span<const Point> subject_;
     std::span<const Point> clip_;
+    Position position_ = Position::Apart;
     std::span<const Contact> contacts_;
-    std::vector<std::uint32_t> turns_;  ///< contacts that enter or leave, along the subject
-    std::vector<Station> stations_;     ///< the same, along the clipper
-    std::vector<std::uint32_t> turn_of_contact_;
-    std::vector<std::uint32_t> station_of_turn_;
-    std::vector<std::uint32_t> open_leaves_;
-    std::vector<std::uint32_t> exit_of_turn_;  ///< for an Enter: the turn at which its walk ends
-    std::vector<std::uint32_t> walk_length_;   ///< for an Enter: clipper vertices on its walk
-    std::vector<char> followed_;
+    std::vector<TurnOnClip> turns_;  ///< along the subject
+    std::vector<Station> stations_;  ///< along the clipper
+    std::vector<Station> open_leaves_;
     std::uint64_t folds_ = 0;
 };
 
