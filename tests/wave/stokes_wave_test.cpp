@@ -38,6 +38,16 @@ SeriesError series_error(double e, double kd, int order) {
     return error;
 }
 
+/// Amplitude of cos(n x) in a wave given from crest to trough.
+double exact_harmonic(const test::ExactWave& wave, int n) {
+    const std::size_t last = wave.elevation.size() - 1;
+    double sum = 0;
+    for (std::size_t m = 0; m <= last; ++m)
+        sum += (m == 0 || m == last ? 1 : 2) / static_cast<double>(last) * wave.elevation[m] *
+               std::cos(n * static_cast<double>(m) * std::numbers::pi / static_cast<double>(last));
+    return sum;
+}
+
 }  // namespace
 
 TEST_CASE("stokes_series: deep water has the coefficients of Fenton's series", "[wave][stokes]") {
@@ -99,6 +109,46 @@ TEST_CASE("stokes_series: at any depth, what order n leaves out falls as e^(n+1)
                                                 : order < 5 ? 4
                                                             : 6));
         }
+}
+
+TEST_CASE("stokes_series: every coefficient is that of numerically exact waves", "[wave][stokes]") {
+    // What the series leaves out of harmonic n, divided by the highest power of e that it should hold,
+    // vanishes with e^2: extrapolated to e = 0 from three waves, it must be nothing beside the coefficient
+    // itself.
+    for (const double kd : {0.5, 0.75, 1.0, 1.6, 12.0}) {
+        // In shallow water the series goes by e / kd^3.
+        const double unit = kd < 0.6 ? 0.0015 : 0.004;
+        const double es[] = {4 * unit, 5 * unit, 6 * unit};
+        for (int n = 0; n <= kStokesOrders; ++n) {  // 0: the speed
+            const int power = n % 2 == 1 ? 5 : 4;
+            double left[3], size = 0;
+            for (int i = 0; i < 3; ++i) {
+                const test::ExactWave exact = test::exact_wave(es[i], kd, 14);
+                const StokesSeries series = stokes_series({es[i], kLength, 0, 0}, 5, kd);
+                const StokesSeries lower =
+                    stokes_series({es[i], kLength, 0, 0}, power == 5 || n == 0 ? 4 : 3, kd);
+                const auto in_units = [](const StokesSeries& s) {
+                    return s.angular_frequency / std::sqrt(kGravity);
+                };
+                const auto h = [n](const StokesSeries& s) {
+                    return s.harmonic_m[static_cast<std::size_t>(n - 1)];
+                };
+                const double e_power = std::pow(es[i], power);
+                left[i] = (n == 0 ? exact.speed - in_units(series) : exact_harmonic(exact, n) - h(series)) /
+                          e_power;
+                size = std::abs(n == 0 ? in_units(series) - in_units(lower) : h(series) - h(lower)) / e_power;
+            }
+            double limit = 0;  // Lagrange, in e^2
+            for (int i = 0; i < 3; ++i) {
+                double weight = 1;
+                for (int j = 0; j < 3; ++j)
+                    if (j != i) weight *= es[j] * es[j] / (es[j] * es[j] - es[i] * es[i]);
+                limit += weight * left[i];
+            }
+            INFO("kd " << kd << ", harmonic " << n << ": " << limit << " of " << size);
+            CHECK(std::abs(limit) < 5e-4 * size + 2e-4);
+        }
+    }
 }
 
 TEST_CASE("stokes_series: waves beyond the breaking limit are refused", "[wave][stokes][input]") {
