@@ -7,9 +7,8 @@
 namespace keikan {
 
 void SignedRings::clear() {
-    points_.clear();
     pieces_.clear();
-    open_ = 0;
+    open_ = end_ = 0;
 }
 
 void SignedRings::add(std::span<const Point> ring, int sign) {
@@ -17,20 +16,25 @@ void SignedRings::add(std::span<const Point> ring, int sign) {
     close_ring(sign);
 }
 
-void SignedRings::add_point(Point p) {
-    if (points_.size() > open_ && points_.back() == p) return;
-    points_.push_back(p);
+void SignedRings::append(std::span<const Point> ring, int sign) {
+    if (points_.size() - end_ < ring.size()) make_room(ring.size());
+    std::copy(ring.begin(), ring.end(), points_.begin() + end_);
+    open_ = end_ += static_cast<std::uint32_t>(ring.size());
+    pieces_.push_back({sign, end_ - static_cast<std::uint32_t>(ring.size()), end_});
 }
 
 void SignedRings::close_ring(int sign) {
-    while (points_.size() > open_ + 1 && points_.back() == points_[open_]) points_.pop_back();
-    const auto end = static_cast<std::uint32_t>(points_.size());
-    if (end - open_ < 3) {
-        points_.resize(open_);
+    while (end_ > open_ + 1 && points_[end_ - 1] == points_[open_]) --end_;
+    if (end_ - open_ < 3) {
+        end_ = open_;
         return;
     }
-    pieces_.push_back({sign, open_, end});
-    open_ = end;
+    pieces_.push_back({sign, open_, end_});
+    open_ = end_;
+}
+
+void SignedRings::make_room(std::size_t more) {
+    points_.resize(2 * (end_ + more));
 }
 
 double twice_signed_area(std::span<const Point> ring) {
@@ -43,23 +47,32 @@ double twice_signed_area(std::span<const Point> ring) {
 
 void RingDifference::operator()(std::span<const Point> subject, int sign, std::span<const Point> clip,
                                 SignedRings& rest) {
+    position(subject, clip);
+    append_rest(sign, rest);
+}
+
+IntersectionClassifier::Position RingDifference::position(std::span<const Point> subject,
+                                                          std::span<const Point> clip) {
     subject_ = subject;
     clip_ = clip;
-    position_ = classify_.position(subject, clip);
+    return position_ = classify_.position(subject, clip);
+}
+
+void RingDifference::append_rest(int sign, SignedRings& rest) {
     if (position_ == Position::Within) return;
-    if (position_ == Position::Apart) return rest.add(subject, sign);
+    if (position_ == Position::Apart) return rest.append(subject_, sign);
 
     contacts_ = classify_.contacts();
     find_turns();
     int whole_copies = classify_.winding_outside_first_edge();  // of the clipper, against its direction
     if (turns_.empty())
-        rest.add(subject, sign);
+        rest.append(subject_, sign);
     else if (turns_.size() == 2)
         whole_copies = join_two(whole_copies);
     else
         whole_copies = join_all(whole_copies);
     follow_rings(sign, rest);
-    for (int i = 0; i < std::abs(whole_copies); ++i) rest.add(clip, whole_copies > 0 ? -sign : sign);
+    for (int i = 0; i < std::abs(whole_copies); ++i) rest.append(clip_, whole_copies > 0 ? -sign : sign);
 }
 
 std::span<const Contact> RingDifference::contacts() {

@@ -4,10 +4,12 @@
 #include <functional>
 #include <vector>
 
+#include "entrants.hpp"
 #include "keikan/clip/ring_difference.hpp"
 #include "keikan/model/clip_step.hpp"
+#include "keikan/model/coverage.hpp"
 #include "keikan/model/face.hpp"
-#include "partition.hpp"
+#include "measure.hpp"
 
 namespace keikan::clip {
 
@@ -18,26 +20,37 @@ class Traversal {
   public:
     using Observer = std::function<void(const ClipStep&)>;
 
-    /// What of the face entrants.faces[who] can be seen. Valid until the next call.
-    const SignedRings& visible(PixelIndex pixel, const Entrants& entrants, std::uint32_t who,
-                               Nearness nearness, const Observer& observer);
-    /// What no face covers.
-    const SignedRings& background(const Entrants& entrants, const Observer& observer);
+    /// Measures what can be seen of each of entrants.faces; returns the area that no face covers: what the
+    /// areas leave of 1, or 0 if that may be rounding.
+    double measure(PixelIndex pixel, const Entrants& entrants, Nearness nearness, const Observer& observer,
+                   std::vector<Measure>& measures);
+
+    /// The visible outlines of the last `measure`, and the background's, which is found when it is first
+    /// asked for (or right away where an observer waits for its clip steps).
+    std::span<const VisibleOutline> outlines(const Entrants& entrants, const Observer& observer);
 
     /// Clip steps in which rounding had folded a ring (RingDifference::folds).
     std::uint64_t folds() const { return difference_.folds(); }
 
   private:
-    bool hides(PixelIndex pixel, const Entrants& entrants, std::uint32_t front, std::uint32_t behind,
-               Nearness nearness);
+    void find_visible(PixelIndex pixel, const Entrants& entrants, std::uint32_t who, Nearness nearness,
+                      const Observer& observer);
+    void find_background(const Entrants& entrants, const Observer& observer);
+    void keep_remaining(std::uint32_t face);
+    std::span<const Point> hiding_part(PixelIndex pixel, const Entrants& entrants, const Entrant& front,
+                                       const Entrant& behind);
     void subtract(std::span<const Point> clipper, const Box& box, const Observer& observer);
 
     RingDifference difference_{IntersectionClassifier::Lattice::Pixel};
     SignedRings remaining_;
     SignedRings next_;
-    std::vector<Point> clipper_;  ///< the original outline, or its nearer part
+    SignedRings found_;                   ///< the visible outlines
+    std::vector<std::uint32_t> face_of_;  ///< whose they are: positions in the list of faces
+    bool background_found_ = false;
+    std::vector<VisibleOutline> outlines_;
+    std::vector<Point> nearer_part_;
+    std::vector<Point> farther_part_;
     std::vector<double> side_;
-    std::vector<Point> outside_;  ///< what the cut by nearness leaves over
 };
 
 }  // namespace keikan::clip

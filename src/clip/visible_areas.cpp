@@ -15,7 +15,6 @@ namespace {
 
 using clip::Entrant;
 using clip::Measure;
-using clip::Partition;
 
 constexpr Point kPixelRing[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -32,9 +31,6 @@ struct VisibleAreas::Working {
     Engine engine = Engine::Splitting;
     clip::Traversal traversal;
     clip::Traversal::Observer observer;
-    SignedRings rings;                      ///< of all faces, where the engine gives outlines
-    std::vector<std::uint32_t> ring_owner;  ///< into entrants.faces, or Partition::kFree
-    std::vector<VisibleOutline> outlines;
     PublishedClipper published;
 
     PixelCoverage split_pixel(std::span<const FaceView> faces);
@@ -48,21 +44,7 @@ PixelCoverage VisibleAreas::Working::split_pixel(std::span<const FaceView> faces
 }
 
 PixelCoverage VisibleAreas::Working::traverse_pixel() {
-    rings.clear();
-    ring_owner.clear();
-    measures.assign(entrants.faces.size(), {});
-    const auto keep = [this](const SignedRings& visible, std::uint32_t owner, Measure& measure) {
-        for (std::size_t i = 0; i < visible.size(); ++i) {
-            measure.add(visible.ring(i), visible.sign(i));
-            rings.add(visible.ring(i), visible.sign(i));
-            ring_owner.push_back(owner);
-        }
-    };
-    for (std::uint32_t who = 0; who < entrants.faces.size(); ++who)
-        keep(traversal.visible(pixel, entrants, who, nearness, observer), who, measures[who]);
-    Measure free;
-    keep(traversal.background(entrants, observer), Partition::kFree, free);
-    return coverage(free.area.value());
+    return coverage(traversal.measure(pixel, entrants, nearness, observer, measures));
 }
 
 /// Areas as the paper's clipper gives them, wrong ones too, but for what PixelCoverage cannot say: those that
@@ -151,15 +133,8 @@ std::span<const VisiblePiece> VisibleAreas::pieces() {
 
 std::span<const VisibleOutline> VisibleAreas::outlines() {
     Working& work = *working_;
-    work.outlines.clear();
-    if (work.engine != Engine::Traversal) return work.outlines;
-    for (std::size_t i = 0; i < work.rings.size(); ++i) {
-        const std::uint32_t owner = work.ring_owner[i];
-        const std::uint32_t face =
-            owner == Partition::kFree ? VisiblePiece::kBackground : work.entrants.faces[owner].position;
-        work.outlines.push_back({face, work.rings.sign(i), work.rings.ring(i)});
-    }
-    return work.outlines;
+    if (work.engine != Engine::Traversal) return {};
+    return work.traversal.outlines(work.entrants, work.observer);
 }
 
 void VisibleAreas::observe(std::function<void(const ClipStep&)> observer) {

@@ -41,11 +41,13 @@ TEST_CASE("visible_areas: a pixel allocates nothing once one of its size has bee
         }
     std::vector<std::vector<FaceView>> faces;
     for (const PixelCase& pixel_case : cases) faces.push_back(pixel_case.faces());
-    VisibleAreas visible_areas;
+    const Engine engine = GENERATE(Engine::Splitting, Engine::Traversal);
+    VisibleAreas visible_areas(engine);
     const auto see_all = [&] {
         for (std::size_t i = 0; i < cases.size(); ++i) {
             visible_areas(cases[i].pixel, faces[i], cases[i].nearness());
             visible_areas.pieces();
+            visible_areas.outlines();
         }
     };
     see_all();

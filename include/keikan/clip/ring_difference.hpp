@@ -22,8 +22,15 @@ class SignedRings {
 
     void clear();
     void add(std::span<const Point> ring, int sign);
+    /// The same for a ring of three points or more, consecutive ones of which differ.
+    void append(std::span<const Point> ring, int sign);
     /// Adding a ring point by point. Repeated points are left out; a ring of fewer than three is dropped.
-    void add_point(Point p);
+    void add_point(Point p) {
+        if (end_ > open_ && points_[end_ - 1] == p) return;
+        if (end_ == points_.size()) [[unlikely]]
+            make_room(1);
+        points_[end_++] = p;
+    }
     void close_ring(int sign);
 
     std::size_t size() const { return pieces_.size(); }
@@ -34,9 +41,12 @@ class SignedRings {
     }
 
   private:
-    std::vector<Point> points_;
+    void make_room(std::size_t more);
+
+    std::vector<Point> points_;  ///< as many as there have ever been
     std::vector<Piece> pieces_;
     std::uint32_t open_ = 0;  ///< where the ring being added begins
+    std::uint32_t end_ = 0;   ///< where its next point goes
 };
 
 /// Twice the signed area of `ring`, positive when it turns from +x towards +y, measured from its first point.
@@ -68,6 +78,11 @@ class RingDifference {
 
     /// Appends `subject` outside `clip`, times `sign`, to `rest`.
     void operator()(std::span<const Point> subject, int sign, std::span<const Point> clip, SignedRings& rest);
+
+    /// The first half of that: how the rings lie. What is not Apart goes on with the second half.
+    IntersectionClassifier::Position position(std::span<const Point> subject, std::span<const Point> clip);
+    /// The second half, for the rings of the last `position`.
+    void append_rest(int sign, SignedRings& rest);
 
     /// The contacts of the last call, whose rings must still be there. They are found only now if the rings
     /// lie so that none was needed (IntersectionClassifier::Position).
