@@ -22,6 +22,8 @@ namespace keikan {
 ///   (4) A run of boundary that both share has contacts at the vertices on it, and nowhere else.
 ///   (5) An edge of `subject` has at most two contacts inside it; if two, the first enters and the second
 ///   leaves.
+///   (6) Moving or mirroring both rings, where that is exact, changes neither classes nor turns. (A mirrored
+///   clipper is listed backwards, so that it turns as it must.)
 ///
 /// Requires: `subject`: at least three points, consecutive ones differ; it may be concave, touch itself and
 ///           (where rounding made it so) cross itself. `clip`: exactly strictly convex, turning from +x

@@ -68,6 +68,7 @@ double twice_signed_area(std::span<const Point> ring);
 ///       the clipper as a ring of the opposite sign.
 ///   (3) Rings turn as `subject` turns; whole copies of the clipper turn from +x towards +y.
 ///   (4) Subtracting the same clipper again changes nothing.
+///   (5) Starting either ring elsewhere leaves the same region; reversing `subject` turns its sign round.
 ///
 /// Requires: as IntersectionClassifier.
 /// Cost:     that of classifying, and a sort of the turns along the clipper.

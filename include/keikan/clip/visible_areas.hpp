@@ -44,6 +44,8 @@ struct ClipStatistics {
 ///   (6) Faces may pass through each other and overlap in a cycle.
 ///   (7) A face that alone is seen in the pixel, and all over it, has area 1 and centroid (1/2, 1/2),
 ///   exactly.
+///   (8) Mirrored faces, where mirroring is exact, show the same areas, each within its error.
+///   (9) A face asked about again, behind itself, shows nothing and hides nothing more, within the error.
 /// Engine::Published promises none of them; under Nearness::ByDepth it lists the faces by w in their middle.
 ///
 /// Requires: convex outlines (repeated points and outlines without area are allowed), finite numbers.
