@@ -83,7 +83,7 @@ TEST_CASE("visible_areas: every area is within its bound of the exact one, in ev
     for (const Family& family : families()) {
         const bool crowd = family.name == "crowd";
         for (const bool with_depth : {false, true}) {
-            const Worst worst = worst_of(family, seed, crowd ? 1 : 10, with_depth);
+            const Worst worst = worst_of(family, seed, crowd ? 1 : 4, with_depth);
             INFO(family.name << (with_depth ? " with depth" : "") << ", seed " << seed);
             CHECK(worst.area <= kVisibleAreaError);
             CHECK(worst.sum <= kAreaSumError);
