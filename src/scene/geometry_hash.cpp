@@ -27,6 +27,11 @@ void append_text(std::string& canonical, const std::string& text) {
     canonical += text;
 }
 
+/// Of water, "surface" changes no face.
+bool is_geometric(const json& value, const std::string& key) {
+    return key != "surface" || value.value("type", json()) != "water";
+}
+
 /// A value in one form only: keys sorted (as nlohmann keeps them), and numbers as doubles, so that 3, 3.0 and
 /// 3e0 are the same.
 void append_value(std::string& canonical, const json& value) {
@@ -39,9 +44,11 @@ void append_value(std::string& canonical, const json& value) {
     } else if (value.is_boolean()) {
         canonical += value.get<bool>() ? '1' : '0';
     } else if (value.is_structured()) {
-        const std::uint64_t size = value.size();
+        std::uint64_t size = value.size();
+        if (value.is_object() && value.contains("surface") && !is_geometric(value, "surface")) --size;
         append_bytes(canonical, &size, sizeof size);
         for (auto item = value.begin(); item != value.end(); ++item) {
+            if (value.is_object() && !is_geometric(value, item.key())) continue;
             if (value.is_object()) append_text(canonical, item.key());
             append_value(canonical, *item);
         }

@@ -251,6 +251,8 @@ WaterBlock read_water(JsonObject& object, const MaterialNames& materials) {
     water.outline_m = read_outline(object.required("outline_m"));
     water.level_m = object.required("level_m").number(between(-1e5, 1e5));
     water.material = materials.index_of(object.required("material"));
+    if (const auto surface = object.optional("surface"))
+        water.surface = read_water_surface(*surface, water.level_m);
     return water;
 }
 

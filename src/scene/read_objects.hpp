@@ -12,6 +12,7 @@
 #include "keikan/scene/lattice_tower.hpp"
 #include "keikan/scene/mesh_file.hpp"
 #include "keikan/scene/power_line.hpp"
+#include "keikan/scene/water.hpp"
 #include "scene_blocks.hpp"
 
 namespace keikan {
@@ -54,6 +55,7 @@ struct WaterBlock {
     std::vector<glm::dvec2> outline_m;
     double level_m = 0;
     std::uint16_t material = 0;
+    std::optional<WaterSurface> surface;  ///< none: flat colour
 };
 
 /// One item of "objects".

@@ -74,6 +74,8 @@ Scene read_scene(const std::filesystem::path& path, std::optional<ImageSize> siz
     if (const auto node = root.optional("background")) scene.background = read_background(*node);
     if (const auto node = root.optional("haze")) scene.haze = read_haze(*node);
     const GeometryBlocks blocks = read_geometry_blocks(*scene.document, file, scene.materials);
+    for (const ObjectBlock& object : blocks.objects)
+        if (const auto* water = std::get_if<WaterBlock>(&object.block)) scene.water.push_back(water->surface);
     root.optional("terrain");
     root.optional("objects");
 

@@ -10,6 +10,7 @@
 #include "keikan/scene/camera.hpp"
 #include "keikan/scene/height_grid.hpp"
 #include "keikan/scene/material.hpp"
+#include "keikan/scene/water.hpp"
 
 namespace keikan {
 
@@ -47,6 +48,8 @@ Haze read_haze(const JsonNode& node);
 std::vector<Material> read_materials(const JsonNode& node);
 TerrainBlock read_terrain_block(const JsonNode& node, const std::filesystem::path& folder,
                                 const MaterialNames& materials);
+/// The "surface" of water whose mean plane is at `level_m`.
+WaterSurface read_water_surface(const JsonNode& node, double level_m);
 /// The frame of a height grid, as a side-car file or a scene states it.
 GridFrame read_grid_frame(const JsonNode& node);
 

@@ -318,6 +318,51 @@ TEST_CASE("build_geometry: an outline that crosses itself is refused with its pl
     }
 }
 
+TEST_CASE("read_scene: the surface of water is read, and changes no faces", "[scene][water]") {
+    const TemporaryFolder folder;
+    json document =
+        json::parse(R"({"camera": {"position": [0, -9, 5], "target": [0, 0, 0], "horizontal_fov_deg": 50},
+        "materials": {"blue": {}}, "objects": [
+        {"type": "water", "outline_m": [[-9, -9], [9, -9], [9, 9]], "level_m": 1, "material": "blue"},
+        {"type": "water", "outline_m": [[19, 9], [29, 9], [29, 19]], "level_m": 2, "material": "blue"}]})");
+    const auto read = [&] { return read_scene(folder.write("scene.json", document.dump())); };
+    const Scene flat = read();
+    REQUIRE(flat.water.size() == 2);
+    CHECK_FALSE(flat.water[0]);
+    CHECK_FALSE(flat.water[1]);
+
+    // Towards the east and the north; longest first.
+    document["objects"][1]["surface"] = json::parse(R"({"depth_m": 7, "waves": [
+        {"amplitude_m": 0.01, "length_m": 1, "towards_deg": 90}, {"amplitude_m": 0.1, "length_m": 4, "towards_deg": 0}]})");
+    const Scene wavy = read();
+    CHECK_FALSE(wavy.water[0]);
+    REQUIRE(wavy.water[1]);
+    CHECK(wavy.water[1]->level_m == 2);
+    CHECK(wavy.water[1]->depth_m == 7);
+    REQUIRE(wavy.water[1]->waves.size() == 2);
+    CHECK(wavy.water[1]->waves.direction(0).y == Approx(1));
+    CHECK(wavy.water[1]->waves.direction(1).x == Approx(1));
+    CHECK(wavy.geometry_hash == flat.geometry_hash);
+    document["objects"][1]["level_m"] = 3;
+    CHECK_FALSE(read().geometry_hash == flat.geometry_hash);
+
+    // A west wind drives waves to the east; what they lack of the measured slopes is in the ripples.
+    document["objects"][0]["surface"] = json::parse(R"({"wind": {"speed_m_s": 5, "from_deg": 270}})");
+    const WaterSurface sea = read().water[0].value();
+    double along = 0, variance = sea.ripple_variance;
+    for (std::size_t i = 0; i < sea.waves.size(); ++i) {
+        along += sea.waves.direction(i).x;
+        variance += sea.waves.slope_variance(i);
+    }
+    CHECK(along > 0.7 * static_cast<double>(sea.waves.size()));
+    CHECK(variance == Approx(0.003 + 0.00512 * 5));
+
+    document["objects"][0]["surface"] =
+        json::parse(R"({"waves": [{"amplitude_m": 1, "length_m": 2, "towards_deg": 0}]})");
+    CHECK_THROWS_WITH(read(), Catch::Contains("/objects/0/surface/waves: a wave of amplitude 1 m") &&
+                                  Catch::Contains("breaks"));
+}
+
 TEST_CASE("build_geometry: a concave water outline covers its area, level and facing up", "[scene][build]") {
     json document = sample();
     document["objects"] = json::array({{{"type", "water"},

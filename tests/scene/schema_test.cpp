@@ -30,7 +30,10 @@ constexpr std::array kBeyondTheSchema{"no material is named",
                                       "must be greater than the height",
                                       "must be at least \"steep_from_deg\"",
                                       "lies beside the terrain",
-                                      "the window reaches outside"};
+                                      "the window reaches outside",
+                                      "a wave of amplitude",  // it breaks
+                                      "too shallow for a Stokes wave",
+                                      "longest waves are shorter"};
 
 json first_sample() {
     json document = json::parse(R"({
@@ -69,7 +72,10 @@ json first_sample() {
          "windows": {"rows": 2, "width_m": 1, "height_m": 1, "spacing_m": 3, "sill_m": 1, "storey_m": 3, "recess_m": 0.1}},
         {"type": "mesh", "name": "x", "file": "", "position_m": [0, 0], "base_m": 5, "yaw_deg": 3, "scale": 2, "up": "z",
          "material": "m", "materials": {"glass": "n"}},
-        {"type": "water", "name": "w", "outline_m": [[-10, -10], [10, -10], [10, 10]], "level_m": 1, "material": "n"}
+        {"type": "water", "name": "w", "outline_m": [[-10, -10], [10, -10], [10, 10]], "level_m": 1, "material": "n",
+         "surface": {"wind": {"speed_m_s": 5, "from_deg": 270, "fetch_m": 900, "waves": 9, "shortest_m": 0.2, "seed": 3},
+                     "order": 3, "time_s": 2, "depth_m": 8, "ripple_variance": 0.002, "absorption_per_m": [0.4, 0.1, 0.1],
+                     "scattering_per_m": "#102020", "bed_colour": [0.2, 0.2, 0.1]}}
       ]
     })");
     document["terrain"]["grid"] = document["objects"][3]["file"] =
@@ -91,6 +97,10 @@ json second_sample() {
     building.erase("footprint_m");
     building["rectangle"] = {{"centre_m", {30, 30}}, {"size_m", {12, 8}}, {"yaw_deg", 20}};
     document["objects"][3].erase("base_m");
+    document["objects"][4]["surface"] = {
+        {"waves",
+         {{{"amplitude_m", 0.2}, {"length_m", 8}, {"towards_deg", 30}, {"phase_deg", 90}},
+          {{"amplitude_m", 0.01}, {"length_m", 1}, {"towards_deg", -10}}}}};
     return document;
 }
 

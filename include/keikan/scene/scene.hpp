@@ -11,6 +11,7 @@
 #include "keikan/scene/camera.hpp"
 #include "keikan/scene/material.hpp"
 #include "keikan/scene/mesh.hpp"
+#include "keikan/scene/water.hpp"
 
 namespace keikan {
 
@@ -23,6 +24,8 @@ struct Scene {
     Background background;
     Haze haze;
     std::vector<Material> materials;  ///< sorted by name, so that faces can refer to them by position
+    /// One for each water object, in their order: how rays draw it; nothing for flat colour.
+    std::vector<std::optional<WaterSurface>> water;
     std::shared_ptr<const nlohmann::json> document;  ///< validated; build_geometry reads the objects from it
     /// Equal for two scenes exactly when their faces, camera, size and material names are (64-bit hash of the
     /// geometric part of the document and of the contents of the files that it names).
