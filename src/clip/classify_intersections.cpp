@@ -68,24 +68,35 @@ IntersectionClassifier::Position IntersectionClassifier::measure_sides(bool all)
     const std::size_t n = subject_.size(), m = clip_.size();
     words_ = (n + kSetSize - 1) / kSetSize;
     if (outside_.size() < m * words_) outside_.resize(m * words_), on_.resize(m * words_);
-    Position position = Position::Within;
-    Set* outside = outside_.data();
-    Set* on = on_.data();
+    if (words_ > 1) [[unlikely]]
+        return measure_many_sides<Line>();
+    const Set every = Around{n}.all();
+    Set any_outside = 0;
     for (std::size_t j = 0; j < m; ++j) {
-        const Line line(clip_[j], clip_[clip_after(j)]);
-        bool any_inside = false, any_outside = false;
-        for (std::size_t first = 0; first < n; first += kSetSize) {
-            const std::size_t count = std::min(kSetSize, n - first);
-            const clip::SideSets sides = line.sides(subject_.data() + first, count);
-            *outside++ = sides.outside;
-            *on++ = sides.on;
-            any_inside |= (sides.outside | sides.on) != Around{count}.all();
-            any_outside |= sides.outside != 0;
-        }
-        if (!any_inside && any_outside && !all) return Position::Apart;
-        if (any_outside) position = Position::Open;
+        const clip::SideSets sides = Line(clip_[j], clip_[clip_after(j)]).sides(subject_.data(), n);
+        if ((sides.outside | sides.on) == every && sides.outside != 0 && !all) return Position::Apart;
+        outside_[j] = sides.outside;
+        on_[j] = sides.on;
+        any_outside |= sides.outside;
     }
-    return position;
+    return any_outside == 0 ? Position::Within : Position::Open;
+}
+
+/// The same for rings of more than 64 vertices; it does not look for an edge that keeps them apart.
+template <class Line>
+IntersectionClassifier::Position IntersectionClassifier::measure_many_sides() {
+    Set any_outside = 0;
+    for (std::size_t j = 0; j < clip_.size(); ++j) {
+        const Line line(clip_[j], clip_[clip_after(j)]);
+        for (std::size_t word = 0; word < words_; ++word) {
+            const std::size_t first = word * kSetSize, count = std::min(kSetSize, subject_.size() - first);
+            const clip::SideSets sides = line.sides(subject_.data() + first, count);
+            outside_[j * words_ + word] = sides.outside;
+            on_[j * words_ + word] = sides.on;
+            any_outside |= sides.outside;
+        }
+    }
+    return any_outside == 0 ? Position::Within : Position::Open;
 }
 
 std::span<const Contact> IntersectionClassifier::contacts() {
@@ -226,8 +237,7 @@ void IntersectionClassifier::contacts_across(std::size_t vertex) {
 template <class Line>
 void IntersectionClassifier::contacts_across(std::size_t vertex) {
     const std::size_t to = after(vertex);
-    const Point u = subject_[vertex];
-    const Point v = subject_[to];
+    const Point u = subject_[vertex], v = subject_[to];
     const Line line(u, v);
     const std::size_t first = contacts_.size();
     const int side_of_first = line.side(clip_[0]);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +45,10 @@ class AnyLine {
 class LatticeLine {
   public:
     LatticeLine(Point a, Point b)
-        : a_(a), dx_(b.x - a.x), dy_(b.y - a.y), unsure_(2 * kHalfUlp * (std::abs(dx_) + std::abs(dy_))) {}
+        : a_(a),
+          dx_(b.x - a.x),
+          dy_(b.y - a.y),
+          unsure_(4 * kHalfUlp * std::min(std::abs(dx_), std::abs(dy_))) {}
 
     int side(Point p) const {
         const double rough = rough_side(p);
@@ -53,32 +58,40 @@ class LatticeLine {
 
     SideSets sides(const Point* point, std::size_t n) const {
         SideSets sets;
-        std::uint64_t unsure = 0;
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = n; i-- > 0;) {
             const double rough = rough_side(point[i]);
-            sets.outside |= static_cast<std::uint64_t>(rough < -unsure_) << i;
-            unsure |= static_cast<std::uint64_t>(std::abs(rough) <= unsure_) << i;
+            sets.outside = 2 * sets.outside + static_cast<std::uint64_t>(rough < -unsure_);
+            sets.on = 2 * sets.on + static_cast<std::uint64_t>(std::abs(rough) <= unsure_);
         }
-        for (std::size_t i = 0; unsure != 0; ++i, unsure >>= 1) {
-            if ((unsure & 1) == 0) continue;
-            const int s = exact_side(point[i]);
-            sets.outside |= static_cast<std::uint64_t>(s < 0) << i;
-            sets.on |= static_cast<std::uint64_t>(s == 0) << i;
-        }
+        if (sets.on != 0 && unsure_ != 0) settle(point, sets);
         return sets;
     }
 
   private:
-    /// Both products are rounded, by at most half an ulp of |dx| and |dy| since the other factor is at most
-    /// 1; that their difference is rounded, too, changes no sign. Twice that is unsure_.
+    /// A difference of two products l and r, each off by at most half an ulp of itself; that the difference
+    /// is rounded, too, changes no sign. It has the wrong one only if l - r is so small that |l| and |r|
+    /// agree to an ulp: then neither is larger than the smaller of |dx| and |dy|, since their other factors
+    /// are at most 1, and the difference as computed is at most 2 kHalfUlp of that. unsure_ is twice as much;
+    /// along an axis it is 0, and rightly so: one of the products is 0.
     double rough_side(Point p) const { return dx_ * (p.y - a_.y) - dy_ * (p.x - a_.x); }
 
     int exact_side(Point p) const {
         const double px = p.x - a_.x, py = p.y - a_.y;
-        if ((px == 0 && py == 0) || (px == dx_ && py == dy_)) return 0;
         const DoubleDouble left = two_product(dx_, py), right = two_product(dy_, px);
         if (left.hi != right.hi) return left.hi > right.hi ? 1 : -1;
         return left.lo == right.lo ? 0 : left.lo > right.lo ? 1 : -1;
+    }
+
+    /// Looks again at the points that are too close to call.
+    void settle(const Point* point, SideSets& sets) const {
+        for (std::uint64_t unsure = sets.on; unsure != 0; unsure &= unsure - 1) {
+            const std::uint64_t here = unsure & (~unsure + 1);
+            const Point p = point[std::countr_zero(unsure)];
+            if (p == a_) continue;
+            const int s = exact_side(p);
+            if (s != 0) sets.on ^= here;
+            if (s < 0) sets.outside |= here;
+        }
     }
 
     Point a_;

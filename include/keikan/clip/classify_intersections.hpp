@@ -71,6 +71,8 @@ class IntersectionClassifier {
     template <class Line>
     Position measure_sides(bool all);
     template <class Line>
+    Position measure_many_sides();
+    template <class Line>
     void contacts_across(std::size_t vertex);
     template <class Line>
     int count_winding() const;
