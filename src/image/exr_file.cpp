@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keikan/image/exr_file.hpp"
 
+#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -22,6 +23,7 @@ namespace keikan {
 namespace {
 
 constexpr std::int64_t kMaxPixels = 1 << 28;
+constexpr std::size_t kLongestName = 255;  ///< of a channel
 
 /// The file as OpenEXR writes it, going back to fill in its table of offsets.
 class Memory : public Imf::OStream {
@@ -48,6 +50,42 @@ Imf::Slice slice_of(const Image<float>& image, const Imath::V2i& min) {
     auto* const first = const_cast<float*>(image.values().data());  // Slice has no const form
     return Imf::Slice::Make(Imf::FLOAT, first, min, image.width(), image.height(), sizeof(float),
                             sizeof(float) * static_cast<std::size_t>(image.width()));
+}
+
+/// Rows that OpenEXR compresses together (ZIP_COMPRESSION).
+constexpr int kRowsAtOnce = 16;
+
+Imf::Header header_of(const ExrRows& rows) {
+    Imf::Header header(rows.size.width, rows.size.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const std::string& name : rows.channels) {
+        if (name.empty() || name.size() > kLongestName)
+            throw Iex::ArgExc("channel \"" + name + "\": a name has 1 to 255 bytes");
+        if (header.channels().findChannel(name)) throw Iex::ArgExc("channel \"" + name + "\" comes twice");
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    }
+    for (const auto& [name, value] : rows.metadata) header.insert(name, Imf::StringAttribute(value));
+    return header;
+}
+
+void write_rows(const ExrRows& rows, Imf::OStream& out) {
+    const auto width = static_cast<std::size_t>(rows.size.width);
+    Imf::OutputFile exr(out, header_of(rows), 0);  // no threads of OpenEXR's own
+    std::vector<Image<float>> block(rows.channels.size(), Image<float>({rows.size.width, kRowsAtOnce}));
+    std::vector<std::span<float>> row(block.size());
+    for (int first = 0; first < rows.size.height; first += kRowsAtOnce) {
+        const int count = std::min(kRowsAtOnce, rows.size.height - first);
+        for (int y = 0; y < count; ++y) {
+            for (std::size_t c = 0; c < block.size(); ++c)
+                row[c] = std::span(block[c].values()).subspan(static_cast<std::size_t>(y) * width, width);
+            rows.fill_row(first + y, row);
+        }
+        Imf::FrameBuffer frame;
+        for (std::size_t c = 0; c < block.size(); ++c)
+            frame.insert(rows.channels[c], slice_of(block[c], {0, first}));
+        exr.setFrameBuffer(frame);
+        exr.writePixels(count);
+    }
 }
 
 std::string reason_of(const std::exception& error) {
@@ -108,22 +146,26 @@ Image<Rgb> rgb_image(const ExrPicture& picture) {
 }
 
 void write_exr(const std::filesystem::path& file, const ExrPicture& picture) {
-    AtomicFile out(file);
-    Imf::Header header(picture.size.width, picture.size.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::FrameBuffer frame;
+    ExrRows rows{picture.size, {}, picture.metadata, {}};
+    std::vector<const Image<float>*> images;
     for (const auto& [name, image] : picture.channels) {
         KEIKAN_CHECK(image.size() == picture.size, "channel " << name << " has another size");
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        frame.insert(name, slice_of(image, {0, 0}));
+        rows.channels.push_back(name);
+        images.push_back(&image);
     }
-    for (const auto& [name, value] : picture.metadata) header.insert(name, Imf::StringAttribute(value));
+    rows.fill_row = [&](int y, std::span<const std::span<float>> channels) {
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            std::ranges::copy(images[c]->row(y), channels[c].begin());
+    };
+    write_exr(file, rows);
+}
+
+void write_exr(const std::filesystem::path& file, const ExrRows& rows) {
+    AtomicFile out(file);
     Memory memory(file.c_str());
     try {
-        Imf::OutputFile exr(memory, header, 0);  // no threads of OpenEXR's own
-        exr.setFrameBuffer(frame);
-        exr.writePixels(picture.size.height);
-    } catch (const std::exception& error) {
+        write_rows(rows, memory);
+    } catch (const Iex::BaseExc& error) {
         throw InputError(file.string(), "", "cannot be written: " + reason_of(error));
     }
     out.write(memory.bytes());
