@@ -57,7 +57,8 @@ class IntersectionClassifier {
     std::span<const Contact> contacts();
 
     /// After `contacts`, how often `subject` winds around a point just outside edge 0 of `clip`, next to its
-    /// end. Exact. It settles how many whole copies of the clipper a difference must hold.
+    /// end. Exact. It settles how many whole copies of the clipper a difference must hold. The rings must
+    /// still be there.
     int winding_outside_first_edge() const;
 
   private:
