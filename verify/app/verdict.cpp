@@ -18,10 +18,10 @@ std::string in_words(const crosscheck::CheckSummary& s) {
     return fmt::format(
         "{}: {} pixels, {} disagreements; largest area error {:.3g} ({:.3g} up to 8 faces), sum error "
         "{:.3g}; "
-        "certified {}, rational {}, cgal {}; contacts {}, {} mismatches; {:.1f} s",
+        "certified {}, rational {}, cgal {}; contacts {}, {} mismatches, {} folds; {:.1f} s",
         s.pass() ? "pass" : "FAIL", s.pixels, s.disagreement_count, s.max_area_error,
         s.max_area_error_to_8_faces, s.max_sum_error, s.rungs.certified, s.rungs.rational, s.rungs.cgal,
-        s.contacts.checked, s.contacts.mismatches, s.seconds);
+        s.contacts.checked, s.contacts.mismatches, s.contacts.folds, s.seconds);
 }
 
 }  // namespace
