@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace keikan {
 
@@ -33,10 +34,16 @@ void Progress::to_at_least(std::size_t steps, bool relative) {
     draw();
 }
 
+void Progress::note(std::string text) {
+    const std::lock_guard lock(mutex_);
+    note_ = std::move(text);
+}
+
 void Progress::draw() const {
     const std::size_t filled = kBarWidth * done_ / total_;
     const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-    std::fprintf(stderr, "\r%s [%s] %3zu %%", what_.c_str(), bar.c_str(), 100 * done_ / total_);
+    std::fprintf(stderr, "\r%s [%s] %3zu %% %s\033[K", what_.c_str(), bar.c_str(), 100 * done_ / total_,
+                 note_.c_str());
     std::fflush(stderr);
 }
 

@@ -2,29 +2,36 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <filesystem>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "crosscheck/check_cases.hpp"
+#include "fuzz/campaign.hpp"
 #include "fuzz/degenerate_families.hpp"
-#include "keikan/cases/pixel_case_file.hpp"
-#include "keikan/support/atomic_file.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
+#include "keikan/support/progress.hpp"
 #include "verdict.hpp"
 
 namespace keikan {
 namespace {
 
+constexpr std::uint64_t kDefaultCount = 100'000;
+
 struct FuzzCommand {
-    std::vector<std::string> families{"all"};
-    std::uint64_t count = 100'000;
+    std::vector<std::string> families{"all"}, engines{"all"};
+    std::optional<std::uint64_t> count;
     double seconds = 0;
-    std::string engine = "splitting", save;
+    std::uint64_t from = 0, shrink = fuzz::CampaignOptions().shrunk_per_family;
+    std::string depth = "as-made", save;
+    bool resume = false;
     bool no_contacts = false;
     std::uint64_t rational_one_in = crosscheck::CaseCheckOptions().rational_one_in;
     std::uint64_t cgal_one_in = crosscheck::CaseCheckOptions().boolean_sets_one_in;
@@ -47,50 +54,128 @@ std::vector<fuzz::Family> families_of(const std::vector<std::string>& names) {
     return families;
 }
 
-/// A finding as a pixel case of its own, named after its id; written whole, so that whatever happens later
-/// keeps it.
-void save(const std::string& folder, const PixelCase& pixel_case) {
-    std::string name = pixel_case.id;
-    for (char& c : name)
-        if (c == '/') c = '-';
-    write_whole_file((std::filesystem::path(folder) / (name + ".jsonl")).string(),
-                     pixel_case_line(pixel_case) + "\n");
+fuzz::DepthChoice depth_of(const std::string& word) {
+    for (std::size_t i = 0; i < std::size(fuzz::kDepthChoiceNames); ++i)
+        if (word == fuzz::kDepthChoiceNames[i]) return static_cast<fuzz::DepthChoice>(i);
+    throw InputError(fmt::format("--depth {}: there are only: as-made, always, never", word));
+}
+
+/// Who is asked. "all" are the engines that promise to be right: where contacts are checked, the traversal is
+/// walked beside splitting anyway, and one answer of the oracle does for both.
+std::vector<fuzz::Examinee> examinees_of(const FuzzCommand& command, std::uint64_t seed) {
+    crosscheck::CaseCheckOptions options;
+    options.contacts = !command.no_contacts;
+    options.seed = seed;
+    options.rational_one_in = command.rational_one_in;
+    options.boolean_sets_one_in = command.cgal_one_in;
+    std::vector<std::string> names;
+    for (const std::string& name : command.engines) {
+        if (name == "all") {
+            names.push_back("splitting");
+            if (command.no_contacts) names.push_back("traversal");
+        } else {
+            names.push_back(name);
+        }
+    }
+    std::vector<fuzz::Examinee> examinees;
+    for (const std::string& name : names) {
+        if (std::ranges::count(examinees, name, &fuzz::Examinee::name) > 0) continue;
+        options.engine = engine_of(name);
+        examinees.push_back(fuzz::examinee_of(name, options));
+    }
+    return examinees;
+}
+
+fuzz::CampaignOptions campaign_of(const FuzzCommand& command, const CommonOptions& common) {
+    fuzz::CampaignOptions options;
+    options.cases = {families_of(command.families), common.seed, depth_of(command.depth)};
+    options.examinees = examinees_of(command, common.seed);
+    options.first = command.from;
+    // Without a number, --seconds alone ends it.
+    if (command.count || command.seconds == 0) options.count = command.count.value_or(kDefaultCount);
+    if (command.seconds > 0) options.seconds = command.seconds;
+    options.folder = command.save;
+    options.resume = command.resume;
+    options.shrunk_per_family = command.shrink;
+    options.version = KEIKAN_VERSION;
+    options.more_identity = {{"contacts", command.no_contacts ? "no" : "yes"},
+                             {"rational one in", std::to_string(command.rational_one_in)},
+                             {"cgal one in", std::to_string(command.cgal_one_in)}};
+    if (command.resume && command.save.empty())
+        throw InputError("--resume: needs --save, the folder to go on in");
+    return options;
+}
+
+/// A bar with rate and findings; of the time or of the cases, whatever ends the campaign.
+class CampaignProgress {
+  public:
+    CampaignProgress(const fuzz::CampaignOptions& options, bool wanted)
+        : timed_(std::isfinite(options.seconds)),
+          bar_("fuzzing", timed_ ? static_cast<std::size_t>(1000 * options.seconds) : options.count, wanted) {
+    }
+
+    void operator()(const fuzz::CampaignState& state) {
+        if (!began_)
+            began_ = {state.done, state.seconds};  // of a resumed campaign: what this run does counts
+        const double seconds = state.seconds - began_->second;
+        const double rate = seconds > 0 ? static_cast<double>(state.done - began_->first) / seconds : 0;
+        bar_.note(fmt::format("{} pixels, {:.0f}/s, {} findings, {} kept", state.done, rate, state.findings,
+                              state.stored.size()));
+        bar_.reach(timed_ ? static_cast<std::size_t>(1000 * state.seconds) : state.done);
+    }
+
+  private:
+    bool timed_;
+    Progress bar_;
+    std::optional<std::pair<std::uint64_t, double>> began_;
+};
+
+/// The summary of docs/verification.md, and what is a campaign's own.
+std::string json_of(const fuzz::CampaignOptions& options, const fuzz::CampaignState& state) {
+    using Json = nlohmann::ordered_json;
+    Json json = Json::parse(crosscheck::summary_json(fuzz::summary_of(state)));
+    Json engines = Json::object();
+    for (std::size_t e = 0; e < options.examinees.size(); ++e) {
+        const crosscheck::CheckSummary& s = state.summaries[e];
+        const double error = std::min(s.max_area_error, std::numeric_limits<double>::max());
+        engines[options.examinees[e].name] = {
+            {"pixels", s.pixels}, {"disagreements", s.disagreement_count}, {"max_area_error", error}};
+    }
+    json["campaign"] = {{"seed", options.cases.seed}, {"from", state.first},
+                        {"families", Json::array()},  {"depth", state.identity.at("depth")},
+                        {"engines", engines},         {"findings", state.findings},
+                        {"kept", state.stored}};
+    for (const fuzz::Family family : options.cases.families)
+        json["campaign"]["families"].push_back(fuzz::name_of(family));
+    return json.dump();
 }
 
 void run_fuzz(const FuzzCommand& command, CommonOptions& common) {
-    using Clock = std::chrono::steady_clock;
-    const std::vector<fuzz::Family> families = families_of(command.families);
-    crosscheck::CaseCheckOptions options;
-    options.engine = engine_of(command.engine);
-    options.contacts = !command.no_contacts;
-    options.seed = common.seed;
-    options.rational_one_in = command.rational_one_in;
-    options.boolean_sets_one_in = command.cgal_one_in;
-    if (!command.save.empty()) std::filesystem::create_directories(command.save);
+    const fuzz::CampaignOptions options = campaign_of(command, common);
     const ThreadLimit threads(common.threads);
-    const auto start = Clock::now();
-    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     if (!common.quiet) fmt::print(stderr, "seed {}\n", common.seed);
-
-    // Families take turns, so that a run cut short by time has seen them all.
-    std::uint64_t made = 0;
-    const auto next = [&]() -> std::optional<PixelCase> {
-        const bool over =
-            command.seconds > 0 ? made % 512 == 0 && elapsed() >= command.seconds : made >= command.count;
-        if (over) return std::nullopt;
-        const std::uint64_t n = made++;
-        return fuzz::degenerate_case(families[n % families.size()], common.seed, n / families.size());
-    };
-    crosscheck::CheckSummary summary = crosscheck::check_cases(
-        next, options, [&](const PixelCase& pixel_case, const crosscheck::PixelVerdict&) {
-            if (!command.save.empty()) save(command.save, pixel_case);
+    fuzz::CampaignState state;
+    {
+        CampaignProgress progress(options, !common.quiet);
+        state = fuzz::run_campaign(options, std::ref(progress));
+    }
+    tell_verdict(
+        fuzz::summary_of(state), json_of(options, state), common, [&](const crosscheck::Disagreement& d) {
+            // "family/seed/index", and "/always" or "/never"
+            const std::string family = d.case_id.substr(0, d.case_id.find('/'));
+            const std::size_t index = d.case_id.find('/', family.size() + 1) + 1;
+            std::string engines;
+            for (const fuzz::Examinee& e : options.examinees)
+                engines += (engines.empty() ? "" : ",") + e.name;
+            return fmt::format("keikan-verify fuzz --family {} --seed {} --from {} --count 1 --engine {}{}{}",
+                               family, common.seed,
+                               d.case_id.substr(index, d.case_id.find('/', index) - index), engines,
+                               command.depth == "as-made" ? "" : " --depth " + command.depth,
+                               command.no_contacts ? " --no-contacts" : "");
         });
-    summary.seconds = elapsed();
-    tell_verdict(summary, crosscheck::summary_json(summary), common, [&](const crosscheck::Disagreement& d) {
-        return fmt::format(
-            "keikan-verify fuzz --family {} --seed {} --save DIR; keikan-verify areas DIR/*.jsonl",
-            d.case_id.substr(0, d.case_id.find('/')), common.seed);
-    });
+    if (!options.folder.empty() && !state.stored.empty() && !common.quiet)
+        fmt::print(stderr, "{} findings, {} different ones kept in {}\n", state.findings, state.stored.size(),
+                   options.folder.string());
 }
 
 }  // namespace
@@ -102,11 +187,22 @@ void add_fuzz_command(CLI::App& app, CommonOptions& common) {
                     "Which kinds of degenerate pixels, separated by commas, or all")
         ->delimiter(',')
         ->capture_default_str();
-    sub->add_option("--count", command->count, "Pixels")->capture_default_str();
-    sub->add_option("--seconds", command->seconds, "Run for so long instead")->check(CLI::PositiveNumber);
-    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
+    sub->add_option("--count", command->count, "Pixels (default: 100000, or what --seconds allows)");
+    sub->add_option("--seconds", command->seconds, "Run for so long, or until there are --count pixels")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--from", command->from, "Number of the first pixel")->capture_default_str();
+    sub->add_option("--engine", command->engines,
+                    "For visible areas: splitting, traversal, published, or all, which is the first two")
+        ->delimiter(',')
         ->capture_default_str();
-    sub->add_option("--save", command->save, "Folder for the findings, a pixel case each");
+    sub->add_option("--depth", command->depth,
+                    "Depth planes: as-made (by the family), always, never (nearest first)")
+        ->capture_default_str();
+    sub->add_option("--save", command->save,
+                    "Folder for the findings: shrunk, as pixel case, WKT, GeoJSON and drawing each");
+    sub->add_flag("--resume", command->resume, "Go on where the campaign in the folder of --save stopped");
+    sub->add_option("--shrink", command->shrink, "Findings to shrink of each engine and family")
+        ->capture_default_str();
     sub->add_option("--rational-one-in", command->rational_one_in,
                     "After the first 256, rational splitting answers one pixel in so many")
         ->check(CLI::PositiveNumber)

@@ -19,12 +19,15 @@ class Progress {
     void advance(std::size_t steps = 1) { to_at_least(steps, true); }
     /// Says that `done` steps of the total are done; going back is ignored.
     void reach(std::size_t done) { to_at_least(done, false); }
+    /// Says `text` behind the bar from the next step on.
+    void note(std::string text);
 
   private:
     void to_at_least(std::size_t steps, bool relative);
     void draw() const;
 
     std::string what_;
+    std::string note_;
     std::size_t total_;
     bool shown_;
     std::size_t done_ = 0;
