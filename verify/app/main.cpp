@@ -5,6 +5,8 @@
 //   scene    every pixel of a picture       scene_command.cpp
 //   areas    pixel cases, one or millions   areas_command.cpp
 //   fuzz     degenerate random pixels       fuzz_command.cpp
+//   truth    exact coverage as pictures      truth_command.cpp
+//   peers    the same pixels through others  peers_command.cpp
 //   convert  pixel cases, WKT, GeoJSON, SVG convert_command.cpp
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -13,6 +15,7 @@
 #include "commands.hpp"
 #include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
+#include "truth_command.hpp"
 
 namespace {
 
@@ -31,6 +34,8 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     keikan::add_scene_command(app, common);
     keikan::add_areas_command(app, common);
     keikan::add_fuzz_command(app, common);
+    keikan::add_truth_command(app, common);
+    keikan::add_peers_command(app, common);
     keikan::add_convert_command(app);
 }
 

@@ -90,7 +90,7 @@ std::vector<Contestant> contestants(const PeersCommand& command) {
     const Watchdog watchdog{.seconds = command.limit_s};
     std::vector<Contestant> all;
     for (const Peer& peer : {splitting(), traversal(), published(), clipper(), geos(), boost_geometry(),
-                             cgal_inexact(), sampling(command.samples), cgal_exact()})
+                             cgal_inexact(), cgal_exact(), sampling(command.samples)})
         all.push_back(in_a_fork(peer, watchdog));
     // Ours have promised something, all but the paper's clipper to the letter.
     for (Contestant& c : all)
@@ -98,7 +98,7 @@ std::vector<Contestant> contestants(const PeersCommand& command) {
     return all;
 }
 
-/// Those that are asked: without --peer all but the slow one; and the external programs.
+/// Those that are asked: without --peer all of them; and the external programs.
 std::vector<Contestant> chosen_contestants(const PeersCommand& command) {
     std::vector<Contestant> chosen;
     std::vector<Contestant> all = contestants(command);
@@ -106,7 +106,6 @@ std::vector<Contestant> chosen_contestants(const PeersCommand& command) {
     for (const Contestant& c : all) known += " " + c.name;
     if (command.peers.empty()) {
         chosen = std::move(all);
-        std::erase_if(chosen, [](const Contestant& c) { return c.name == "cgal-exact"; });
     } else if (command.peers != std::vector<std::string>{"none"}) {
         for (const std::string& name : command.peers) {
             const auto found = std::ranges::find(all, name, &Contestant::name);
@@ -238,10 +237,10 @@ void add_peers_command(CLI::App& app, CommonOptions& common) {
         ->capture_default_str()
         ->excludes(file);
     sub->add_option("--count", command->count, "Pixels")->capture_default_str()->excludes(file);
-    sub->add_option(
-           "--peer", command->peers,
-           "Who is asked, separated by commas: splitting, traversal, published, clipper, geos, "
-           "boost-geometry, cgal-inexact, cgal-exact, sampling-NxN, or none (default: all but cgal-exact)")
+    sub->add_option("--peer", command->peers,
+                    "Who is asked, separated by commas: splitting, traversal, published, clipper, geos, "
+                    "boost-geometry, cgal-inexact, cgal-exact, sampling-NxN; none: the programs of --exec "
+                    "alone (default: all)")
         ->delimiter(',');
     sub->add_option(
            "--exec", command->programs,

@@ -38,7 +38,7 @@ struct CgalSets {
             area += part.outer_boundary().area();
             for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) area += hole->area();
         }
-        return CGAL::to_double(area);
+        return CGAL::to_double(CGAL::exact(area));  // of a lazy number it would be rough
     }
 };
 
