@@ -2,6 +2,7 @@
 //
 // Error-free sums and products of doubles, and the unevaluated sum of two of them. After Dekker 1971 and
 // Shewchuk 1997. Only + - * / are used: no fused operation is needed, and the bits are the same everywhere.
+// Where a compiler fuses operations all the same, what is exact here stays exact.
 #pragma once
 
 namespace keikan::clip {
@@ -14,6 +15,20 @@ struct DoubleDouble {
 
 /// Half the distance from 1 to the next double: the relative error of one rounding.
 inline constexpr double kHalfUlp = 0x1p-53;
+
+/// x, as rounded as it is. A compiler that contracts (-ffp-contract=fast, on a machine with fused operations)
+/// may otherwise form a product once more, unrounded, in a sum that follows, and what is exact here would not
+/// be.
+inline double rounded(double x) {
+#if defined(__FMA__) && defined(__x86_64__)
+    asm("" : "+x"(x));
+#elif defined(__aarch64__)
+    asm("" : "+w"(x));
+#elif defined(__FP_FAST_FMA)
+    asm("" : "+m"(x));
+#endif
+    return x;
+}
 
 /// a + b, exactly.
 inline DoubleDouble two_sum(double a, double b) {
@@ -36,14 +51,14 @@ inline DoubleDouble quick_two_sum(double a, double b) {
 
 /// a in two halves of at most 26 bits, so that products of halves are exact. Requires |a| < 2^996.
 inline DoubleDouble split(double a) {
-    const double shifted = 0x8000001p0 * a;  // 2^27 + 1
+    const double shifted = rounded(0x8000001p0 * a);  // 2^27 + 1
     const double hi = shifted - (shifted - a);
     return {hi, a - hi};
 }
 
 /// a * b, exactly, unless the error term underflows (|a b| < 2^-968) or a factor passes 2^996.
 inline DoubleDouble two_product(double a, double b) {
-    const double product = a * b;
+    const double product = rounded(a * b);
     const DoubleDouble x = split(a);
     const DoubleDouble y = split(b);
     return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
@@ -73,7 +88,7 @@ inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) {
 /// x / y, off by at most half an ulp and 2^-98 of itself.
 inline double quotient(DoubleDouble x, DoubleDouble y) {
     const double reciprocal = 1 / y.hi;
-    const double first = x.hi * reciprocal;
+    const double first = rounded(x.hi * reciprocal);
     const DoubleDouble back = two_product(first, y.hi);
     const double rest = ((x.hi - back.hi) - back.lo) + (x.lo - first * y.lo);
     return first + rest * reciprocal;
