@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <memory>
-#include <optional>
 
 #include "commands.hpp"
 #include "crosscheck/report.hpp"
@@ -16,6 +14,7 @@
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
 #include "keikan/support/progress.hpp"
+#include "picture_size.hpp"
 #include "verdict.hpp"
 
 namespace keikan {
@@ -24,22 +23,6 @@ namespace {
 struct SceneCommand {
     std::string scene, size, pixels = "all", engine = "splitting", extract = "outline", report;
 };
-
-/// "1000x650" as columns and rows; nothing for an empty text. Errors: InputError.
-std::optional<ImageSize> picture_size(const std::string& text) {
-    if (text.empty()) return std::nullopt;
-    ImageSize size;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        const bool sound = height.ec == std::errc() && height.ptr == end && size.width > 0 &&
-                           size.height > 0 &&
-                           static_cast<std::int64_t>(size.width) * size.height <= std::int64_t{1} << 28;
-        if (sound) return size;
-    }
-    throw InputError("--size " + text + ": is not WIDTHxHEIGHT with at most 2^28 pixels");
-}
 
 Extraction extraction_of(const std::string& text) {
     if (text == "outline") return Extraction::Outline;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rounding.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +14,12 @@ constexpr double kMostCode = 65535;
 }  // namespace
 
 float nearest_float(const CGAL::Gmpq& value) {
-    const mpz_class over(mpq_numref(value.mpq())), under(mpq_denref(value.mpq()));
+    return nearest_float(mpq_class(value.mpq()));
+}
+
+float nearest_float(const mpq_class& value) {
+    const mpz_class& over = value.get_num();
+    const mpz_class& under = value.get_den();
     if (over == 0) return 0;
     // Bits behind the point so that the quotient has 24 or 25 bits; a float keeps 24, and none behind 2^-149.
     const auto length = [](const mpz_class& n) { return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
@@ -36,8 +39,11 @@ float nearest_float(const CGAL::Gmpq& value) {
 }
 
 std::uint16_t nearest_code(const CGAL::Gmpq& value) {
-    const mpz_class over(mpq_numref(value.mpq())), under(mpq_denref(value.mpq()));
-    const mpz_class code = (over * 131070 + under) / (2 * under);
+    return nearest_code(mpq_class(value.mpq()));
+}
+
+std::uint16_t nearest_code(const mpq_class& value) {
+    const mpz_class code = (value.get_num() * 131070 + value.get_den()) / (2 * value.get_den());
     return static_cast<std::uint16_t>(code.get_ui());
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -24,18 +25,19 @@ struct MatteSums {
     struct Sum {
         std::uint32_t matte = 0;
         std::uint32_t faces = 0;  ///< that were asked about
-        double value = 0;         ///< near the coverage: off by `error`, and by the roundings of the sum
+        long double value = 0;    ///< near the coverage: off by `error`, and by the roundings of the sum
         double error = 0;
         Gmpq exact = 0;          ///< where the pixel is known exactly
         float coverage = 0;      ///< nearest to the exact coverage, once settled
         std::uint16_t code = 0;  ///< likewise
 
         Range range() const {
-            if (faces == 0) return {value, value};
-            // Each addition rounds by at most 2^-53 of a sum that is at most 1, and so does each of these
-            // two.
-            const double slack = error + 0x1p-53 * (2.0 * faces + 2);
-            return {value - slack, value + slack};
+            const auto middle = static_cast<double>(value);
+            if (faces == 0) return {middle, middle};
+            // A sum of at most 1 was rounded once for each face, and is rounded to a double here.
+            constexpr double kSumRounding = std::numeric_limits<long double>::epsilon();
+            const double slack = error + kSumRounding * faces + 0x1p-53;
+            return {middle - slack, middle + slack};
         }
     };
     std::vector<Sum> sums;  ///< by rising matte, background last
@@ -60,6 +62,7 @@ void keep_worst(std::vector<TruthSummary::Place>& worst, const TruthSummary::Pla
 TruthSummary& TruthSummary::operator+=(const TruthSummary& later) {
     pixels += later.pixels;
     polygons += later.polygons;
+    unsettled += later.unsettled;
     rungs += later.rungs;
     values += later.values;
     differing_codes += later.differing_codes;
@@ -119,6 +122,7 @@ class SceneTruth::RowTruth {
         }
         const std::size_t first_share = result_.shares.size();
         if (!append_shares()) {
+            ++result_.summary.unsettled;
             ask_rationals(pixel, remaining_.faces);
             append_shares();
         }

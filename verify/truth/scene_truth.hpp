@@ -16,16 +16,17 @@ namespace keikan::truth {
 /// What was counted on the way. A value is the coverage of one pixel by one matte, or its background.
 struct TruthSummary {
     std::uint64_t pixels = 0;
-    std::uint64_t polygons = 0;    ///< faces that may be in them, summed
-    crosscheck::RungCounts rungs;  ///< `rational` counts pixels where a certificate did not settle a rounding
-    std::uint64_t values = 0;      ///< compared: wherever the exact one or the float path's is not 0
+    std::uint64_t polygons = 0;         ///< faces that may be in them, summed
+    std::uint64_t unsettled = 0;        ///< pixels in which a certificate left a rounding open
+    crosscheck::RungCounts rungs;       ///< `rational`: those, pixels without a certificate, and the sample
+    std::uint64_t values = 0;           ///< compared: wherever the exact one or the float path's is not 0
     std::uint64_t differing_codes = 0;  ///< the float path's 16-bit code is not that of the exact coverage
     /// Values whose exact coverage is so near a boundary between two codes that the float path's error bound
     /// does not exclude the other one; and those of them that differ.
     std::uint64_t at_boundary = 0;
     std::uint64_t differing_at_boundary = 0;
-    std::uint64_t form_faults =
-        0;                     ///< pixels that the scan told twice, never, or with faces that do not exist
+    /// Pixels that the scan told twice, never, or with faces that do not exist.
+    std::uint64_t form_faults = 0;
     double max_error = 0;      ///< of the float path's coverage by a matte; an upper bound
     double max_sum_error = 0;  ///< of the float path: |all coverages and background - 1|
     struct Place {
