@@ -32,6 +32,7 @@ inline double rounded(double x) {
 
 /// a + b, exactly.
 inline DoubleDouble two_sum(double a, double b) {
+    a = rounded(a), b = rounded(b);
     const double sum = a + b;
     const double b_part = sum - a;
     const double a_part = sum - b_part;
@@ -45,6 +46,7 @@ inline DoubleDouble two_difference(double a, double b) {
 
 /// a + b, exactly. Requires |a| >= |b| or a = 0.
 inline DoubleDouble quick_two_sum(double a, double b) {
+    a = rounded(a), b = rounded(b);
     const double sum = a + b;
     return {sum, b - (sum - a)};
 }

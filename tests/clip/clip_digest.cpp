@@ -18,7 +18,9 @@
 #include <vector>
 
 #include "degenerate_pixels.hpp"
+#include "double_double.hpp"
 #include "exact_areas.hpp"
+#include "expansion.hpp"
 #include "keikan/clip/classify_intersections.hpp"
 #include "keikan/clip/visible_areas.hpp"
 
@@ -180,18 +182,50 @@ struct Replay {
     }
 };
 
+/// The arithmetic below everything: exact in every build, so that the digest is the same whatever is fused;
+/// and the error of quotients, in halves of an ulp.
+struct Arithmetic {
+    Digest exact;
+    double quotient_error = 0;
+
+    Arithmetic() {
+        Dice dice(2);
+        const auto number = [&] {
+            const double mantissa = dice.between(-1, 1);
+            return std::ldexp(mantissa, dice.number(-30, 30));
+        };
+        for (int i = 0; i < 100'000; ++i) {
+            const double a = number(), b = number(), c = number();
+            const clip::DoubleDouble product = clip::two_product(a, b), sum = clip::two_sum(a * b, c);
+            exact.add(product), exact.add(sum);
+            clip::Expansion<8> expansion;
+            for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {-a, std::nextafter(b, 2)}, {-b, c}})
+                expansion.add(clip::two_product(p, q));
+            exact.add(expansion.largest());
+            const clip::DoubleDouble x{a, a * 0x1p-54}, y{b, b * -0x1p-55};
+            const double q = clip::quotient(x, y);
+            const clip::DoubleDouble rest = x - clip::DoubleDouble{q, 0} * y;
+            const double half_ulp = 0x1p-53 * std::ldexp(1, std::ilogb(q));
+            quotient_error = std::max(quotient_error, std::abs(rest.hi / b) / half_ulp);
+        }
+    }
+};
+
 int replay(std::istream& in) {
+    const Arithmetic arithmetic;
     Replay all;
     for (Question question; take(in, question); question = {}) all.ask(question);
     std::printf(
         "{\"pixels\": %llu, \"steps\": %llu, \"contacts\": %llu, \"steps_misclassified\": %llu, "
         "\"classes\": \"%016llx\", \"splitting\": \"%016llx\", \"traversal\": \"%016llx\", "
-        "\"deviation\": %.3g, \"error\": %.3g, \"sum_error\": %.3g}\n",
+        "\"deviation\": %.3g, \"error\": %.3g, \"sum_error\": %.3g, "
+        "\"arithmetic\": \"%016llx\", \"quotient_error\": %.9f}\n",
         static_cast<unsigned long long>(all.pixels), static_cast<unsigned long long>(all.steps),
         static_cast<unsigned long long>(all.contacts), static_cast<unsigned long long>(all.misclassified),
         static_cast<unsigned long long>(all.classes.value()),
         static_cast<unsigned long long>(all.splitting_bits.value()),
-        static_cast<unsigned long long>(all.traversal_bits.value()), all.deviation, all.error, all.sum_error);
+        static_cast<unsigned long long>(all.traversal_bits.value()), all.deviation, all.error, all.sum_error,
+        static_cast<unsigned long long>(arithmetic.exact.value()), arithmetic.quotient_error);
     return all.pixels == 0 ? 2 : 0;
 }
 
