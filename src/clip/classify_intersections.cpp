@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "convex_outline.hpp"
@@ -266,17 +267,13 @@ void IntersectionClassifier::contact_crossing(std::size_t vertex, std::size_t ed
 
 /// Where the subject's edge crosses the clipper's edge, measured from the nearer end of the former.
 Point IntersectionClassifier::crossing(std::size_t vertex, std::size_t edge) const {
-    Point u = subject_[vertex];
-    Point v = subject_[after(vertex)];
-    double s = side_value(clip_[edge], clip_[clip_after(edge)], u);
-    double t = side_value(clip_[edge], clip_[clip_after(edge)], v);
-    s = s < 0 ? -s : s;
-    t = t < 0 ? -t : t;
-    if (t < s) {
-        std::swap(u, v);
-        std::swap(s, t);
-    }
-    const double share = s == 0 && t == 0 ? 0.5 : s / (s + t);  // both vanish only by underflow
+    const Point end[2] = {subject_[vertex], subject_[after(vertex)]};
+    const Point a = clip_[edge], b = clip_[clip_after(edge)];
+    const double distance[2] = {std::abs(side_value(a, b, end[0])), std::abs(side_value(a, b, end[1]))};
+    const std::size_t nearer = distance[1] < distance[0] ? 1 : 0;
+    const Point u = end[nearer], v = end[1 - nearer];
+    const double sum = distance[0] + distance[1];
+    const double share = sum == 0 ? 0.5 : distance[nearer] / sum;  // both vanish only by underflow
     const Point p{u.x + share * (v.x - u.x), u.y + share * (v.y - u.y)};
     if (lattice_ == Lattice::Doubles) return p;
     return {clip::snap(p.x), clip::snap(p.y)};
