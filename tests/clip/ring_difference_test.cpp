@@ -105,6 +105,42 @@ TEST_CASE("published_clipper: as printed, 7,360 of 266,256 pairs of the 4 x 4 gr
                       [](const Ring& a, const Ring& b) { return published_area(a, b); }) == 7360);
 }
 
+TEST_CASE("published_clipper: the table of docs/paper_map.md, a row a reading", "[.][clip][paper][table]") {
+    using Start = PublishedReading::Start;
+    using SharedVertex = PublishedReading::SharedVertex;
+    const std::vector<Ring> small = grid_polygons(3, true), large = grid_polygons(4, false);
+    for (const Start start : {Start::OutsideVertex, Start::AnyVertex})
+        for (const SharedVertex rule : {SharedVertex::AsPrinted, SharedVertex::OneRule}) {
+            PublishedReading reading;
+            reading.start = start;
+            reading.shared_vertex = rule;
+            const auto area = [&](const Ring& a, const Ring& b) { return published_area(a, b, reading); };
+            WARN((start == Start::AnyVertex ? "start: any vertex" : "start: outside vertex")
+                 << (rule == SharedVertex::AsPrinted ? ", case (4) as printed: " : ", one rule: ")
+                 << wrong_pairs(small, area) << " of 21316, " << wrong_pairs(large, area) << " of 266256");
+        }
+    // Two clips, one after the other: the first polygons of the grid before every ordered pair.
+    for (const auto hole : {PublishedReading::Hole::Deferred, PublishedReading::Hole::Signed})
+        for (const SharedVertex rule : {SharedVertex::AsPrinted, SharedVertex::OneRule}) {
+            PublishedReading reading;
+            reading.hole = hole;
+            reading.shared_vertex = rule;
+            long asked = 0, wrong = 0;
+            for (std::size_t c = 0; c < small.size(); c += 9)
+                for (std::size_t b = 0; b < small.size(); ++b)
+                    for (std::size_t a = 0; a < small.size(); ++a) {
+                        const Ring polygons[] = {small[c], small[b], small[a]};
+                        const double published = PublishedClipper(reading).visible_areas(polygons)[2];
+                        ++asked;
+                        wrong += std::abs(published - area_of(difference(difference(small[a], small[b]),
+                                                                         small[c]))) > kGridAreaError;
+                    }
+            WARN((hole == PublishedReading::Hole::Deferred ? "hole deferred" : "hole signed")
+                 << (rule == SharedVertex::AsPrinted ? ", case (4) as printed: " : ", one rule: ") << wrong
+                 << " of " << asked << " second clips");
+        }
+}
+
 TEST_CASE(
     "ring_difference: a second clip of every concave or self-touching result of the 3 x 3 grid, by one in "
     "nine",
