@@ -16,6 +16,7 @@ set(package_PNG::PNG PNG)
 set(package_ZLIB::ZLIB ZLIB)
 set(package_assimp::assimp assimp)
 set(package_Threads::Threads Threads)
+set(package_embree embree)
 
 get_property(components GLOBAL PROPERTY KEIKAN_COMPONENTS)
 set(keikan_requirements "")

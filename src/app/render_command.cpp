@@ -8,6 +8,7 @@
 #include "option_values.hpp"
 #include "output_picture.hpp"
 #include "run_statistics.hpp"
+#include "water_choice.hpp"
 
 namespace keikan {
 
@@ -15,6 +16,7 @@ namespace {
 
 struct RenderCommand {
     std::string scene, size, method = "kato", extract = "outline", engine = "splitting", stats;
+    WaterChoice water;
     OutputOptions output;
 };
 
@@ -32,6 +34,7 @@ void render(const RenderCommand& command, const CommonOptions& common) {
     Progress progress("rendering", static_cast<std::size_t>(scene.camera.size.height), !common.quiet);
     RenderOptions options;
     options.scan.extraction = extraction_of(command.extract);
+    options.water = water_options(command.water);
     options.extra = command.output.aov;
     options.after_rows = [&](int rows) { progress.advance(static_cast<std::size_t>(rows)); };
     RenderedPicture picture = render_scene(scene, geometry, options);
@@ -41,10 +44,12 @@ void render(const RenderCommand& command, const CommonOptions& common) {
     clock.note("render.divide", picture.scan.seconds_divide);
     clock.note("render.shade", picture.seconds_shade);
     const ScanStatistics scan = picture.scan;
+    const WaterStatistics water = picture.water;
+    if (water.pixels > 0) clock.note("render.water", water.seconds);
     write_picture(command.output, scene, std::move(picture));
     clock.ended("write");
 
-    write_statistics(command.stats, "render", scene.camera.size, clock, &scan);
+    write_statistics(command.stats, "render", scene.camera.size, clock, &scan, &water);
     tell_done(common.quiet, command.output.image, scene.camera.size, clock);
 }
 
@@ -62,6 +67,7 @@ void add_render_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
     sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    add_water_options(*sub, command->water);
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

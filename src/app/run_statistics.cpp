@@ -21,7 +21,7 @@ double StageClock::total() const {
 }
 
 void write_statistics(const std::string& file, const std::string& command, ImageSize size,
-                      const StageClock& clock, const ScanStatistics* scan) {
+                      const StageClock& clock, const ScanStatistics* scan, const WaterStatistics* water) {
     if (file.empty()) return;
     nlohmann::ordered_json json;
     json["command"] = command;
@@ -36,7 +36,21 @@ void write_statistics(const std::string& file, const std::string& command, Image
         json["multi_object_pixels"] = scan->multi_object_pixels;
         json["polygons"] = scan->faces;
         json["parts"] = scan->parts;
-        json["samples"] = 0;  // areas are exact: nothing is sampled
+        json["samples"] = 0;  // areas are exact: nothing but water is sampled
+    }
+    if (water != nullptr && water->pixels > 0) {
+        const auto pixels = static_cast<double>(water->pixels);
+        json["samples"] = water->samples;
+        nlohmann::ordered_json& own = json["water"];
+        own["pixels"] = water->pixels;
+        own["mixed_pixels"] = water->mixed_pixels;
+        own["samples_per_pixel"] = static_cast<double>(water->samples) / pixels;
+        own["most_samples"] = water->most_samples;
+        own["histogram_by_powers_of_2"] = water->histogram;
+        own["face_rays"] = water->face_rays;
+        own["missed"] = water->missed;
+        own["seconds"] = water->seconds;
+        own["rays_per_second"] = static_cast<double>(water->samples + water->face_rays) / water->seconds;
     }
     write_whole_file(file, json.dump(2) + "\n");
 }

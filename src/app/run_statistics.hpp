@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "keikan/render/water_options.hpp"
 #include "keikan/scan/scan_scene.hpp"
 
 namespace keikan {
@@ -29,7 +30,8 @@ class StageClock {
 /// Writes the statistics of a run as JSON (--stats); does nothing for an empty name.
 /// Errors: InputError naming the file.
 void write_statistics(const std::string& file, const std::string& command, ImageSize size,
-                      const StageClock& clock, const ScanStatistics* scan);
+                      const StageClock& clock, const ScanStatistics* scan,
+                      const WaterStatistics* water = nullptr);
 
 /// Tells on standard error what a run has made, in one line.
 void tell_done(bool quiet, const std::string& file, ImageSize size, const StageClock& clock);

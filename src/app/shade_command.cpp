@@ -7,6 +7,7 @@
 #include "keikan/support/progress.hpp"
 #include "output_picture.hpp"
 #include "run_statistics.hpp"
+#include "water_choice.hpp"
 
 namespace keikan {
 
@@ -14,6 +15,7 @@ namespace {
 
 struct ShadeCommand {
     std::string scan, scene, stats;
+    WaterChoice water;
     OutputOptions output;
 };
 
@@ -28,14 +30,17 @@ void shade(const ShadeCommand& command, const CommonOptions& common) {
     clock.ended("read");
     Progress progress("shading", static_cast<std::size_t>(size.height), !common.quiet);
     RenderOptions options;
+    options.water = water_options(command.water);
     options.extra = command.output.aov;
     options.after_rows = [&](int rows) { progress.advance(static_cast<std::size_t>(rows)); };
     RenderedPicture picture = shade_scan_file(command.scan, scene, options);
     clock.ended("shade");
+    const WaterStatistics water = picture.water;
+    if (water.pixels > 0) clock.note("shade.water", water.seconds);
     write_picture(command.output, scene, std::move(picture));
     clock.ended("write");
 
-    write_statistics(command.stats, "shade", size, clock, nullptr);
+    write_statistics(command.stats, "shade", size, clock, nullptr, &water);
     tell_done(common.quiet, command.output.image, size, clock);
 }
 
@@ -50,6 +55,7 @@ void add_shade_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("-o,--output", command->output.image,
                     "Picture: .png, .exr, or - for PNG on standard output")
         ->required();
+    add_water_options(*sub, command->water);
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

@@ -2,11 +2,14 @@
 #include "keikan/render/render_scene.hpp"
 
 #include <chrono>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
+#include "water_pixels.hpp"
 
 namespace keikan {
 
@@ -20,8 +23,9 @@ RenderedPicture empty_picture(ImageSize size, bool extra) {
     return picture;
 }
 
-void paint(const ScanBand& band, const Scene& scene, const RenderOptions& options, RenderedPicture& picture) {
-    shade_band(band, scene, picture.image, options.extra ? &picture.extra : nullptr);
+void paint(const ScanBand& band, const Scene& scene, const RenderOptions& options, RenderedPicture& picture,
+           WaterPixels* water) {
+    shade_band(band, scene, picture.image, options.extra ? &picture.extra : nullptr, water);
     if (options.after_rows) options.after_rows(band.rows);
 }
 
@@ -39,6 +43,10 @@ void require_same_geometry(const ScanHeader& header, const Scene& scene, const s
         throw InputError(file, "", "was scanned from another geometry or camera than " + scene.file.string());
 }
 
+bool draws_water(const Scene& scene, const RenderOptions& options) {
+    return options.water.mode != WaterMode::Flat && has_water_surfaces(scene);
+}
+
 }  // namespace
 
 RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const RenderOptions& options) {
@@ -47,12 +55,17 @@ RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const
     RenderedPicture picture = empty_picture(scene.camera.size, options.extra);
     const ProjectedFaces faces = project_faces(geometry, scene.camera);
     const double seconds_project = std::chrono::duration<double>(Clock::now() - started).count();
+    std::optional<WaterPixels> water;
+    if (draws_water(scene, options)) water.emplace(water_of_objects(scene, geometry));
     picture.scan = scan_faces(faces, geometry, scene.camera, options.scan, [&](const ScanBand& band) {
         const auto begin = Clock::now();
-        paint(band, scene, options, picture);
+        paint(band, scene, options, picture, water ? &*water : nullptr);
         picture.seconds_shade += std::chrono::duration<double>(Clock::now() - begin).count();
     });
     picture.scan.seconds_project += seconds_project;
+    if (water)
+        picture.water =
+            paint_water(std::span(&*water, 1), scene, geometry, faces, options.water, picture.image);
     return picture;
 }
 
@@ -61,7 +74,17 @@ RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& 
     const ScanFileReader scan(file);
     require_same_geometry(scan.header(), scene, file.string());
     RenderedPicture picture = empty_picture(scene.camera.size, options.extra);
-    parallel_for(scan.band_count(), [&](std::size_t i) { paint(scan.band(i), scene, options, picture); });
+    if (!draws_water(scene, options)) {
+        parallel_for(scan.band_count(),
+                     [&](std::size_t i) { paint(scan.band(i), scene, options, picture, nullptr); });
+        return picture;
+    }
+    const Geometry geometry = build_geometry(scene);
+    const ProjectedFaces faces = project_faces(geometry, scene.camera);
+    std::vector<WaterPixels> water(scan.band_count(), WaterPixels(water_of_objects(scene, geometry)));
+    parallel_for(scan.band_count(),
+                 [&](std::size_t i) { paint(scan.band(i), scene, options, picture, &water[i]); });
+    picture.water = paint_water(water, scene, geometry, faces, options.water, picture.image);
     return picture;
 }
 

@@ -3,6 +3,7 @@
 
 #include "keikan/support/check.hpp"
 #include "point_shader.hpp"
+#include "water_pixels.hpp"
 
 namespace keikan {
 
@@ -25,8 +26,9 @@ class MeanColour {
 /// Shades one row; a row has one writer.
 class RowPainter {
   public:
-    RowPainter(const ScanBand& band, const PointShader& shader, Image<Rgb>& image, ExtraImages* extra, int y)
-        : band_(band), shader_(shader), colours_(image.row(y)), extra_(extra), y_(y) {}
+    RowPainter(const ScanBand& band, const PointShader& shader, Image<Rgb>& image, ExtraImages* extra,
+               WaterPixels* water, int y)
+        : band_(band), shader_(shader), colours_(image.row(y)), extra_(extra), water_(water), y_(y) {}
 
     void paint(const Span& span) {
         const bool empty = span.face == Span::kBackground;
@@ -35,6 +37,9 @@ class RowPainter {
         double x = span.x_begin + 0.5;
         if (empty) {
             for (Rgb& colour : row) colour = shader_.background_colour(x++, y_ + 0.5);
+        } else if (const std::uint16_t water = water_of(span.face); water != kNoWater) {
+            for (int column = span.x_begin; column < span.x_end; ++column)
+                water_->add_whole(column, y_, water);
         } else {
             const FaceShader face(shader_, band_.faces[span.face]);
             for (Rgb& colour : row) colour = face.colour(x++, y_ + 0.5);
@@ -50,13 +55,23 @@ class RowPainter {
         if (pixel.background > 0)
             mean.add(pixel.background, shader_.background_colour(pixel.x + 0.5, y_ + 0.5));
         const SeenPart* largest = nullptr;
+        bool holds_water = false;
         for (std::uint32_t i = pixel.part_begin; i < pixel.part_end; ++i) {
             const SeenPart& part = band_.parts[i];
+            if (part.weight > (largest != nullptr ? largest->weight : 0)) largest = &part;
+            if (water_of(part.face) != kNoWater) {
+                holds_water = true;
+                continue;
+            }
             const FaceShader face(shader_, band_.faces[part.face]);
             mean.add(part.weight,
                      face.colour(pixel.x + static_cast<double>(part.x), y_ + static_cast<double>(part.y)));
-            if (part.weight > (largest != nullptr ? largest->weight : 0)) largest = &part;
         }
+        if (holds_water)
+            water_->add_divided(
+                pixel.x, y_,
+                std::span(band_.parts).subspan(pixel.part_begin, pixel.part_end - pixel.part_begin),
+                band_.faces);
         colours_[static_cast<std::size_t>(pixel.x)] = mean.colour();
         if (extra_ == nullptr) return;
         const float flag = pixel.division == Division::ExactAreas ? 1 : 2;
@@ -68,6 +83,11 @@ class RowPainter {
     }
 
   private:
+    /// The water that a face of the band is drawn as by rays; kNoWater: as any face.
+    std::uint16_t water_of(std::uint32_t face) const {
+        return water_ != nullptr ? water_->water_of(band_.faces[face]) : kNoWater;
+    }
+
     /// Fills in those of the extra images that are wanted; `face` shows the most, none: the background does.
     void note(int x, double background, const SeenFace* face, double local_x, double local_y, float flag) {
         const PixelIndex at{x, y_};
@@ -85,18 +105,20 @@ class RowPainter {
     const PointShader& shader_;
     std::span<Rgb> colours_;
     ExtraImages* extra_;
+    WaterPixels* water_;
     int y_;
 };
 
 }  // namespace
 
-void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra) {
+void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra,
+                WaterPixels* water) {
     for (const SeenFace& face : band.faces)
         KEIKAN_CHECK(face.material < scene.materials.size(), "face " << face.id << " has no material");
     const PointShader shader(scene);
     for (int row = 0; row < band.rows; ++row) {
         const auto r = static_cast<std::size_t>(row);
-        RowPainter painter(band, shader, image, extra, band.first_row + row);
+        RowPainter painter(band, shader, image, extra, water, band.first_row + row);
         for (std::uint32_t i = band.span_begin[r]; i < band.span_begin[r + 1]; ++i)
             painter.paint(band.spans[i]);
         for (std::uint32_t i = band.divided_begin[r]; i < band.divided_begin[r + 1]; ++i)

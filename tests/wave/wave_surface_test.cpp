@@ -42,15 +42,15 @@ TEST_CASE("sine_of_turns: within 2e-15 of the true sine and cosine", "[wave]") {
     double worst = 0;
     for (int i = 0; i < 100'000; ++i) {
         const double turns = (random.uniform() - 0.5) * (i % 2 == 0 ? 2 : 1000);
-        const SineCosine found = sine_of_turns(turns);
+        const auto found = sine_of_turns(turns);
         const long double angle =
             2 * std::numbers::pi_v<long double> * (static_cast<long double>(turns) - std::round(turns));
         worst = std::max(worst, static_cast<double>(std::abs(found.sine - std::sin(angle))));
         worst = std::max(worst, static_cast<double>(std::abs(found.cosine - std::cos(angle))));
     }
     CHECK(worst < 2e-15);
-    CHECK(sine_of_turns(0).sine == 0);
-    CHECK(sine_of_turns(17).cosine == 1);
+    CHECK(sine_of_turns(0.0).sine == 0);
+    CHECK(sine_of_turns(17.0).cosine == 1);
 }
 
 TEST_CASE("WaveSurface: heights are the sum of the series", "[wave][surface]") {

@@ -4,6 +4,7 @@
 
 #include "keikan/image/image.hpp"
 #include "keikan/render/shade.hpp"
+#include "keikan/render/water_options.hpp"
 #include "keikan/scan/scan_file.hpp"
 #include "keikan/scan/scan_scene.hpp"
 #include "keikan/scene/scene.hpp"
@@ -12,6 +13,7 @@ namespace keikan {
 
 struct RenderOptions {
     ScanOptions scan;
+    WaterOptions water;                             ///< where the scene has water with a surface
     bool extra = false;                             ///< make all of ExtraImages
     std::function<void(int rows)> after_rows = {};  ///< told, from any thread, how many more rows are painted
 };
@@ -21,13 +23,15 @@ struct RenderedPicture {
     ExtraImages extra;
     ScanStatistics scan;       ///< of render_scene
     double seconds_shade = 0;  ///< of render_scene: shading alone, summed over the bands
+    WaterStatistics water;
 };
 
 /// The whole picture: scans the faces and shades each band as it comes.
 /// Paper: section 2, Fig. 1.
 RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const RenderOptions& options = {});
 
-/// The same picture from a scan file, with the colours, materials and lights of `scene`; no faces are built.
+/// The same picture from a scan file, with the colours, materials and lights of `scene`. Faces are built only
+/// where water mirrors them.
 ///
 /// Property: (1) The same bits as render_scene with the options that the file was scanned with.
 /// Errors: InputError naming the file, where it was made from another geometry, camera or size than the

@@ -6,6 +6,8 @@
 
 namespace keikan {
 
+class WaterPixels;
+
 /// Optional pictures beside the colours; empty images are not made.
 struct ExtraImages {
     Image<float> background;  ///< uncovered fraction of the pixel
@@ -29,6 +31,9 @@ struct ExtraImages {
 /// the slope angle of the face's plane. The background's colour goes from `horizon` (at and below the
 /// horizon) to `zenith` linearly in the sine of the view direction's elevation.
 ///
+/// Pixels that hold water that is drawn by rays (Scene::water) are noted in `water`, and that water adds
+/// nothing here; without `water` it is flat colour.
+///
 /// The largest part of a divided pixel, in ExtraImages, is the background's where that is larger than each
 /// face's; of parts of equal size it is the one that stands first.
 ///
@@ -37,6 +42,7 @@ struct ExtraImages {
 ///       other pixels or the number of threads.
 /// Errors: CheckFailure where a band refers to a material that the scene does not have.
 /// Paper:  section 2 (rendering), 3.1 step (6).
-void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra = nullptr);
+void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra = nullptr,
+                WaterPixels* water = nullptr);
 
 }  // namespace keikan

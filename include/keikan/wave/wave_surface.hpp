@@ -60,32 +60,43 @@ class WaveSurface {
     double length_m(std::size_t i) const { return length_m_[i]; }
     double amplitude_m(std::size_t i) const { return amplitude_m_[i]; }
     glm::dvec2 direction(std::size_t i) const {  ///< unit vector
-        return {turns_x_[i] * length_m_[i], turns_y_[i] * length_m_[i]};
+        return {series(i, kTurnsX) * length_m_[i], series(i, kTurnsY) * length_m_[i]};
     }
     WaveBounds bounds(std::size_t i) const { return bounds_[i]; }
     /// Mean square slope of wave i along its direction.
     double slope_variance(std::size_t i) const { return slope_variance_[i]; }
     double crest_bound_m() const { return crest_bound_m_; }
+    /// Root of the mean square slope of all waves together.
+    double slope_deviation() const { return slope_deviation_; }
 
     WavePoint point(double x, double y) const;
 
     /// Of each wave at (x, y): its height, and the rate at which that changes when (x, y) moves with `speed`.
-    /// Requires: spans at least size() long.
+    /// Requires: spans at least size() long, rounded up to a multiple of kTogether; the rest is filled with
+    /// 0.
     void along(double x, double y, glm::dvec2 speed, std::span<double> height_m,
                std::span<double> rate) const;
 
     static constexpr std::size_t kMostWaves = 256;
+    static constexpr std::size_t kTogether = 4;  ///< waves that are worked on at once
 
   private:
+    // theta / 2 pi = turns_x x + turns_y y + turns_0, and the harmonics: of four waves, field after field.
+    enum Field : std::size_t { kTurnsX, kTurnsY, kTurns0, kHarmonics, kFields = kHarmonics + kStokesOrders };
+    static std::size_t place(std::size_t i, std::size_t field) {
+        return (i / kTogether * kFields + field) * kTogether + i % kTogether;
+    }
+    double series(std::size_t i, std::size_t field) const { return series_[place(i, field)]; }
+    /// Room for one more wave at the end; the rest of its four stay still.
+    void add_series(const std::array<double, kFields>& fields);
     void sum_up();
 
+    std::vector<double> series_;
     // One entry for each wave.
     std::vector<double> length_m_, amplitude_m_;
-    std::vector<double> turns_x_, turns_y_, turns_0_;  ///< theta / 2 pi = turns_x x + turns_y y + turns_0
-    std::array<std::vector<double>, kStokesOrders> harmonic_m_;
     std::vector<double> slope_variance_;
     std::vector<WaveBounds> bounds_;
-    double crest_bound_m_ = 0;
+    double crest_bound_m_ = 0, slope_deviation_ = 0;
 };
 
 /// Coordinates that waves are made for.
