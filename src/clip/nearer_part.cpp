@@ -51,10 +51,19 @@ NearnessDifference NearnessDifference::exact(PixelIndex pixel, const LocalPlane&
     NearnessDifference d;
     d.a_ = two_difference(first.a, second.a);
     d.b_ = two_difference(first.b, second.b);
-    Expansion<10> c;
-    add_local_constant(c, pixel, first.image, 1);
-    add_local_constant(c, pixel, second.image, -1);
-    d.c_ = c.rounded();
+    // In double-doubles first, the differences before the products: what is lost is below 2^-102 of the terms.
+    const DoubleDouble c = two_difference(first.image.c, second.image.c);
+    const DoubleDouble ax = two_product(d.a_.hi, pixel.x), by = two_product(d.b_.hi, pixel.y);
+    const DoubleDouble slopes = two_sum(ax.hi, by.hi), sum = two_sum(slopes.hi, c.hi);
+    const double low = (ax.lo + d.a_.lo * pixel.x) + (by.lo + d.b_.lo * pixel.y);
+    d.c_ = quick_two_sum(sum.hi, sum.lo + (slopes.lo + (low + c.lo)));
+    const double lost = 0x1p-102 * (std::abs(ax.hi) + std::abs(by.hi) + std::abs(c.hi));
+    if (!(lost <= 0x1p-80 * (std::abs(d.a_.hi) + std::abs(d.b_.hi) + std::abs(d.c_.hi)))) {
+        Expansion<10> exact;
+        add_local_constant(exact, pixel, first.image, 1);
+        add_local_constant(exact, pixel, second.image, -1);
+        d.c_ = exact.rounded();
+    }
     d.error_ = 8 * kHalfUlp * (std::abs(d.a_.hi) + std::abs(d.b_.hi) + std::abs(d.c_.hi));
     return d;
 }

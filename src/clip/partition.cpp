@@ -46,7 +46,8 @@ void Partition::insert(std::uint32_t who, Nearness nearness) {
     cuts_of(face);
     find_cells_near(face.box);
     std::fill_n(relation_.begin(), who, Relation::Unknown);
-    for (const std::uint32_t cell : near_) {
+    for (std::size_t k = 0; k < near_count_; ++k) {
+        const std::uint32_t cell = near_[k];
         const std::uint32_t label = label_[cell];
         if (label == kFree) {
             carve(cell);
@@ -80,13 +81,13 @@ void Partition::cuts_of(const Entrant& face) {
         if (!on_one_border(p, q)) cuts_.emplace_back(p, q);
         p = q;
     }
+    if (reaching_.size() < cuts_.size()) reaching_.resize(cuts_.size());
 }
 
 void Partition::find_cells_near(const Box& box) {
     const std::int16_t min_x = step_below(box.min_x), max_x = step_above(box.max_x);
     const std::int16_t min_y = step_below(box.min_y), max_y = step_above(box.max_y);
-    constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(std::int16_t);
-    if (hit_.size() < label_.size() + kAtOnce) hit_.resize(label_.size() + kAtOnce);
+    if (hit_.size() < label_.size()) hit_.resize(label_.size()), near_.resize(label_.size());
     std::int16_t* const hit = hit_.data();
     const std::int16_t *const lx = min_x_.data(), *const ly = min_y_.data();
     const std::int16_t *const hx = max_x_.data(), *const hy = max_y_.data();
@@ -94,15 +95,12 @@ void Partition::find_cells_near(const Box& box) {
     for (std::size_t i = 0; i < n; ++i)  // written so that compilers turn it into vector comparisons
         hit[i] =
             static_cast<std::int16_t>((lx[i] < max_x) & (hx[i] > min_x) & (ly[i] < max_y) & (hy[i] > min_y));
-    std::fill_n(hit + n, kAtOnce, std::int16_t{0});
-    near_.clear();
-    for (std::size_t i = 0; i < n; i += kAtOnce) {
-        std::uint64_t some;
-        std::memcpy(&some, hit + i, sizeof some);
-        if (some == 0) continue;
-        for (std::size_t k = i; k < i + kAtOnce; ++k)
-            if (hit[k] != 0) near_.push_back(static_cast<std::uint32_t>(k));
+    std::size_t count = 0;  // and here so that nothing depends on what the comparisons said
+    for (std::size_t i = 0; i < n; ++i) {
+        near_[count] = static_cast<std::uint32_t>(i);
+        count += static_cast<std::size_t>(hit[i]);
     }
+    near_count_ = count;
 }
 
 Partition::Relation Partition::rough_relation_to(std::uint32_t label) {
@@ -145,12 +143,14 @@ bool Partition::keep_inside(Current& current, const Cut& cut) {
     if (sides.outside == 0) return true;
     // carve has made room; more is needed only for a ring that rounding has bent in many places.
     std::vector<Point>& inside = buffer_[current.free_buffer];
-    if (inside.size() < 2 * n) inside.resize(4 * n);
-    reserve_points(2 * n);
+    if (inside.size() < room_of_part(n)) inside.resize(2 * room_of_part(n));
+    reserve_points(room_of_part(n));
     const SplitSizes size =
         split(cut, sides, current.ring, side_.data(), n, inside.data(), points_.data() + used_);
     pending_.push_back({static_cast<std::uint32_t>(used_), static_cast<std::uint32_t>(size.outside)});
-    used_ += size.outside;
+    pad(points_.data() + used_, size.outside);
+    used_ += padded(size.outside);
+    pad(inside.data(), size.inside);
     current = {inside.data(), size.inside, 1 - current.free_buffer};
     return true;
 }
@@ -159,13 +159,17 @@ bool Partition::keep_inside(Current& current, const Cut& cut) {
 bool Partition::find_reaching_cuts(std::uint32_t cell) {
     const Range whole = ring_[cell];
     const Point* const ring = points_.data() + whole.begin;
-    reaching_.clear();
+    // To the end in any case: the cuts are few, and which of them ends the search cannot be foretold.
+    bool overlaps = true;
+    std::size_t count = 0;
     for (std::uint32_t k = 0; k < cuts_.size(); ++k) {
         const Reach reach = reach_of(cuts_[k], ring, whole.size);
-        if (!reach.inside) return false;
-        if (reach.outside) reaching_.push_back(k);
+        overlaps &= reach.inside;
+        reaching_[count] = k;
+        count += reach.outside;
     }
-    return true;
+    reaching_count_ = count;
+    return overlaps;
 }
 
 /// Gives the part of the cell that the face covers, and where it is nearer, to the face.
@@ -175,12 +179,12 @@ void Partition::carve(std::uint32_t cell) {
     const Relation relation = relation_to(label);
     if (relation == Relation::Behind) return;
     const Range whole = ring_[cell];
-    reserve_points(2 * whole.size);  // now, since the first cut reads from the pool that it writes to
+    reserve_points(room_of_part(whole.size));  // now, since the first cut reads from the pool that it writes to
     Current current{points_.data() + whole.begin, whole.size};
     const std::size_t used_before = used_;
     pending_.clear();
-    for (const std::uint32_t k : reaching_) {
-        if (!keep_inside(current, cuts_[k])) {
+    for (std::size_t i = 0; i < reaching_count_; ++i) {
+        if (!keep_inside(current, cuts_[reaching_[i]])) {
             used_ = used_before;
             return;
         }
@@ -199,10 +203,10 @@ void Partition::carve(std::uint32_t cell) {
     if (pending_.empty()) {
         label_[cell] = who_;
     } else {
-        reserve_points(current.size);
-        std::copy_n(current.ring, current.size, points_.data() + used_);
+        reserve_points(padded(current.size));
+        std::copy_n(current.ring, padded(current.size), points_.data() + used_);
         set_cell(cell, {static_cast<std::uint32_t>(used_), static_cast<std::uint32_t>(current.size)}, who_);
-        used_ += current.size;
+        used_ += padded(current.size);
         reserve_cells(pending_.size());
         for (const Range piece : pending_) append_cell(piece, label);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -69,21 +70,39 @@ Sides sides_of(const Cut& cut, const Point* ring, std::size_t n, double* side) {
     return sides;
 }
 
+/// Rings are worked on four corners at a time, so that their sizes, which nobody can foretell, steer no jump:
+/// a ring of n corners has room for padded(n), and pad() fills it with repeats of the first.
+constexpr std::size_t padded(std::size_t n) {
+    return (n + 3) & ~std::size_t{3};
+}
+inline void pad(Point* ring, std::size_t n) {
+    // At most three are missing, and the room of a ring that lacks one is at least four.
+    const std::size_t end = padded(n);
+    for (std::size_t i = end - 3; i < end; ++i) ring[i] = i < n ? ring[i] : ring[0];
+}
+
+/// Room for either part of a ring of n corners, padding included.
+constexpr std::size_t room_of_part(std::size_t n) {
+    return padded(2 * n);
+}
+
 /// Whether any corner is strictly inside a cut, and whether any is strictly outside.
 struct Reach {
     bool inside = false;
     bool outside = false;
 };
 
+/// Of a padded ring.
 template <class Cut>
 Reach reach_of(const Cut& cut, const Point* ring, std::size_t n) {
-    double largest = cut.side(ring[0]), smallest = largest;
-    for (std::size_t i = 1; i < n; ++i) {
-        const double side = cut.side(ring[i]);
-        largest = side > largest ? side : largest;
-        smallest = side < smallest ? side : smallest;
+    bool inside = false, outside = false;
+    for (std::size_t begin = 0; begin < n; begin += 4) {
+        const double a = cut.side(ring[begin]), b = cut.side(ring[begin + 1]);
+        const double c = cut.side(ring[begin + 2]), d = cut.side(ring[begin + 3]);
+        inside |= std::max(std::max(a, b), std::max(c, d)) > cut.on_line;
+        outside |= std::min(std::min(a, b), std::min(c, d)) < -cut.on_line;
     }
-    return {largest > cut.on_line, smallest < -cut.on_line};
+    return {inside, outside};
 }
 
 /// Where the segment p q passes side 0, snapped; the same for q p. Requires sides of opposite sign.
