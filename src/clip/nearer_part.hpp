@@ -49,6 +49,10 @@ class NearnessDifference {
     /// The value at a point, off by at most half an ulp and 2^-98 of the terms' sizes.
     double at(Point p) const;
 
+    /// The value at a point, off by at most error().
+    double roughly_at(Point p) const { return (a_.hi * p.x + b_.hi * p.y) + c_.hi; }
+    double error() const { return error_; }
+
     /// Values no larger than this belong to points within one step of the 2^-53 grid from the line.
     double on_line() const;
 

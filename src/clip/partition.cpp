@@ -2,7 +2,7 @@
 #include "partition.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 
 namespace keikan::clip {
 namespace {
@@ -134,6 +134,18 @@ Partition::Relation Partition::relation_to(std::uint32_t label) {
     return relation;
 }
 
+Partition::Relation Partition::relation_in(const Point* ring, std::size_t n, std::uint32_t label) const {
+    const NearnessDifference& difference = difference_[label];
+    double largest = -HUGE_VAL, smallest = HUGE_VAL;
+    for (std::size_t i = 0; i < padded(n); ++i) {
+        const double value = difference.roughly_at(ring[i]);
+        largest = std::max(largest, value);
+        smallest = std::min(smallest, value);
+    }
+    if (largest < -difference.error()) return Relation::Behind;
+    return smallest > difference.error() ? Relation::InFront : Relation::Mixed;
+}
+
 template <class Cut>
 bool Partition::keep_inside(Current& current, const Cut& cut) {
     const std::size_t n = current.size;
@@ -176,9 +188,10 @@ bool Partition::find_reaching_cuts(std::uint32_t cell) {
 void Partition::carve(std::uint32_t cell) {
     if (!find_reaching_cuts(cell)) return;
     const std::uint32_t label = label_[cell];
-    const Relation relation = relation_to(label);
-    if (relation == Relation::Behind) return;
     const Range whole = ring_[cell];
+    Relation relation = relation_to(label);
+    if (relation == Relation::Mixed) relation = relation_in(points_.data() + whole.begin, whole.size, label);
+    if (relation == Relation::Behind) return;
     reserve_points(room_of_part(whole.size));  // now, since the first cut reads from the pool that it writes to
     Current current{points_.data() + whole.begin, whole.size};
     const std::size_t used_before = used_;

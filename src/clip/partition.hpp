@@ -53,6 +53,8 @@ class Partition {
     void find_cells_near(const Box& box);
     Relation rough_relation_to(std::uint32_t label);
     Relation relation_to(std::uint32_t label);
+    /// The same within one cell, where the planes cross somewhere.
+    Relation relation_in(const Point* ring, std::size_t n, std::uint32_t label) const;
     bool find_reaching_cuts(std::uint32_t cell);
     void carve(std::uint32_t cell);
     /// Divides `current`; the outside part becomes pending. False if nothing of it is inside.

@@ -92,17 +92,25 @@ struct Reach {
     bool outside = false;
 };
 
+/// Of four corners.
+template <class Cut>
+Reach reach_of_four(const Cut& cut, const Point* corner) {
+    const double a = cut.side(corner[0]), b = cut.side(corner[1]);
+    const double c = cut.side(corner[2]), d = cut.side(corner[3]);
+    return {std::max(std::max(a, b), std::max(c, d)) > cut.on_line,
+            std::min(std::min(a, b), std::min(c, d)) < -cut.on_line};
+}
+
 /// Of a padded ring.
 template <class Cut>
 Reach reach_of(const Cut& cut, const Point* ring, std::size_t n) {
-    bool inside = false, outside = false;
-    for (std::size_t begin = 0; begin < n; begin += 4) {
-        const double a = cut.side(ring[begin]), b = cut.side(ring[begin + 1]);
-        const double c = cut.side(ring[begin + 2]), d = cut.side(ring[begin + 3]);
-        inside |= std::max(std::max(a, b), std::max(c, d)) > cut.on_line;
-        outside |= std::min(std::min(a, b), std::min(c, d)) < -cut.on_line;
+    Reach all = reach_of_four(cut, ring);
+    for (std::size_t begin = 4; begin < n; begin += 4) {
+        const Reach more = reach_of_four(cut, ring + begin);
+        all.inside |= more.inside;
+        all.outside |= more.outside;
     }
-    return {inside, outside};
+    return all;
 }
 
 /// Where the segment p q passes side 0, snapped; the same for q p. Requires sides of opposite sign.
