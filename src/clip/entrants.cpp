@@ -117,7 +117,9 @@ void EntrantReader::read(PixelIndex pixel, std::span<const FaceView> faces, Near
 
 void find_lone_faces(Entrants& entrants) {
     std::vector<Entrant>& faces = entrants.faces;
-    for (Entrant& face : faces) face.alone = true;
+    const bool few = faces.size() <= kMostCompared;
+    for (Entrant& face : faces) face.alone = few;
+    if (!few) return;
     for (std::size_t i = 1; i < faces.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             Entrant &a = faces[i], &b = faces[j];

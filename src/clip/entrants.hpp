@@ -67,7 +67,9 @@ class EntrantReader {
 
 /// Finds the faces that overlap no other: for each other there is an edge of one of the two that leaves the
 /// other on its outer side, or within one step of the 2^-53 grid of it. Such a face shows all of itself, and
-/// neither depth nor cells are needed for it: the common case on one surface.
+/// neither depth nor cells are needed for it: the common case on one surface. Among more faces than
+/// kMostCompared hardly any is alone, and none is looked for.
+inline constexpr std::size_t kMostCompared = 8;
 void find_lone_faces(Entrants& entrants);
 
 /// The depth planes relative to the pixel, of the faces that are not alone.
