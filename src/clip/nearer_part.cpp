@@ -51,7 +51,8 @@ NearnessDifference NearnessDifference::exact(PixelIndex pixel, const LocalPlane&
     NearnessDifference d;
     d.a_ = two_difference(first.a, second.a);
     d.b_ = two_difference(first.b, second.b);
-    // In double-doubles first, the differences before the products: what is lost is below 2^-102 of the terms.
+    // In double-doubles first, the differences before the products: what is lost is below 2^-102 of the
+    // terms.
     const DoubleDouble c = two_difference(first.image.c, second.image.c);
     const DoubleDouble ax = two_product(d.a_.hi, pixel.x), by = two_product(d.b_.hi, pixel.y);
     const DoubleDouble slopes = two_sum(ax.hi, by.hi), sum = two_sum(slopes.hi, c.hi);

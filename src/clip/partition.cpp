@@ -192,7 +192,8 @@ void Partition::carve(std::uint32_t cell) {
     Relation relation = relation_to(label);
     if (relation == Relation::Mixed) relation = relation_in(points_.data() + whole.begin, whole.size, label);
     if (relation == Relation::Behind) return;
-    reserve_points(room_of_part(whole.size));  // now, since the first cut reads from the pool that it writes to
+    reserve_points(
+        room_of_part(whole.size));  // now, since the first cut reads from the pool that it writes to
     Current current{points_.data() + whole.begin, whole.size};
     const std::size_t used_before = used_;
     pending_.clear();

@@ -83,11 +83,11 @@ class Partition {
     // The face being inserted.
     std::uint32_t who_ = 0;
     Nearness nearness_ = Nearness::InOrder;
-    std::vector<EdgeCut> cuts_;                   ///< its edges inside the pixel
-    std::vector<std::uint32_t> reaching_;         ///< those that cut the cell at hand
+    std::vector<EdgeCut> cuts_;            ///< its edges inside the pixel
+    std::vector<std::uint32_t> reaching_;  ///< those that cut the cell at hand
     std::size_t reaching_count_ = 0;
-    std::vector<std::int16_t> hit_;               ///< for each cell, whether its box meets the face's
-    std::vector<std::uint32_t> near_;             ///< the cells that do
+    std::vector<std::int16_t> hit_;    ///< for each cell, whether its box meets the face's
+    std::vector<std::uint32_t> near_;  ///< the cells that do
     std::size_t near_count_ = 0;
     std::vector<Relation> relation_;              ///< to each other face
     std::vector<NearnessDifference> difference_;  ///< from each other face, where Mixed
