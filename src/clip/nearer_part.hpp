@@ -36,7 +36,8 @@ class NearnessDifference {
   public:
     /// Rough: good enough to decide most pairs, with a bound that says when not.
     static NearnessDifference rough(const LocalPlane& first, const LocalPlane& second);
-    /// Coefficients off by at most 2^-100 of themselves.
+    /// The slopes are exact; the constant is off by at most 2^-80 of all three coefficients together, and exact
+    /// in its sign where the slopes are 0.
     static NearnessDifference exact(PixelIndex pixel, const LocalPlane& first, const LocalPlane& second);
 
     /// Equal everywhere. Only of an exact difference.
@@ -46,7 +47,7 @@ class NearnessDifference {
     Bounded largest(const Box& box) const;
     Bounded smallest(const Box& box) const;
 
-    /// The value at a point, off by at most half an ulp and 2^-98 of the terms' sizes.
+    /// The value at a point, off by at most half an ulp and 2^-79 of the terms' sizes.
     double at(Point p) const;
 
     /// The value at a point, off by at most error().
