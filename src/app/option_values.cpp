@@ -58,9 +58,12 @@ Engine engine_of(const std::string& engine) {
     throw InputError("--engine " + engine + ": there are only: splitting, traversal, published");
 }
 
-void require_engine(const std::string& engine) {
-    if (engine != "splitting")
-        throw InputError("--engine: '" + engine + "' is not available; 'splitting' is");
+Engine engine_of_scan_file(const std::string& text) {
+    const Engine engine = engine_of(text);
+    if (engine == Engine::Published)
+        throw InputError("--engine published: a scan file promises areas that add up to 1; "
+                         "render and areas take this engine");
+    return engine;
 }
 
 void require_method(const std::string& method) {

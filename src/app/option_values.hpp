@@ -19,12 +19,13 @@ PixelIndex pixel_of(const std::string& text, ImageSize size);
 /// "outline" or "paper". Errors: InputError.
 Extraction extraction_of(const std::string& text);
 
-/// "splitting", "traversal" or "published", for single pixels. Errors: InputError.
+/// "splitting", "traversal" or "published". Errors: InputError.
 Engine engine_of(const std::string& engine);
 
-/// For pictures: refuses what is not built: engines other than "splitting", methods other than "kato".
-/// Errors: InputError.
-void require_engine(const std::string& engine);
+/// The same, but for "published", whose areas need not add up to what a scan file promises. Errors: InputError.
+Engine engine_of_scan_file(const std::string& engine);
+
+/// For pictures: refuses what is not built: methods other than "kato". Errors: InputError.
 void require_method(const std::string& method);
 
 }  // namespace keikan

@@ -22,7 +22,6 @@ struct RenderCommand {
 
 void render(const RenderCommand& command, const CommonOptions& common) {
     require_method(command.method);
-    require_engine(command.engine);
     require_writable(command.output);
     const ThreadLimit threads(common.threads);
     StageClock clock;
@@ -35,6 +34,7 @@ void render(const RenderCommand& command, const CommonOptions& common) {
     RenderOptions options;
     options.scan.extraction = extraction_of(command.extract);
     options.water = water_options(command.water);
+    options.scan.engine = engine_of(command.engine);
     options.extra = command.output.aov;
     options.after_rows = [&](int rows) { progress.advance(static_cast<std::size_t>(rows)); };
     RenderedPicture picture = render_scene(scene, geometry, options);
@@ -66,8 +66,9 @@ void add_render_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("--method", command->method, "Anti-aliasing: kato")->capture_default_str();
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
-    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
     add_water_options(*sub, command->water);
+    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
+        ->capture_default_str();
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

@@ -21,11 +21,11 @@ struct ScanCommand {
 };
 
 void scan(const ScanCommand& command, const CommonOptions& common) {
-    require_engine(command.engine);
     const ThreadLimit threads(common.threads);
     StageClock clock;
     ScanOptions options;
     options.extraction = extraction_of(command.extract);
+    options.engine = engine_of_scan_file(command.engine);
 
     const Scene scene = read_scene(command.scene, picture_size(command.size));
     clock.ended("read");
@@ -59,7 +59,7 @@ void add_scan_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
-    sub->add_option("--engine", command->engine, "For visible areas: splitting")->capture_default_str();
+    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal")->capture_default_str();
     sub->add_option("--stats", command->stats, "Write seconds per stage and counts as JSON");
     sub->callback([command, &common] { scan(*command, common); });
 }

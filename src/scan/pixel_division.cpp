@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace keikan {
 namespace {
@@ -33,7 +34,10 @@ float within_pixel(double v) {
 DividedView PixelDivision::operator()(PixelIndex pixel, std::span<const Candidate> candidates) {
     if (question_.options.extraction == Extraction::Paper && !flagged(pixel, candidates))
         return by_scanline(pixel, candidates);
-    return by_exact_areas(pixel, candidates);
+    if (question_.options.engine == Engine::Splitting) return by_exact_areas(pixel, candidates);
+    kept_.resize(candidates.size());
+    std::iota(kept_.begin(), kept_.end(), 0u);
+    return by_visible_areas(pixel, candidates);
 }
 
 DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates) {
@@ -68,16 +72,16 @@ DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Cand
         if (fate_[i] != Fate::Hidden) kept_.push_back(i);
     if (apart_.divide(pixel, question_.faces, question_.facts, question_.neighbours, candidates, kept_))
         return {Division::ExactAreas, apart_.parts(), apart_.background()};
+    return by_visible_areas(pixel, candidates);
+}
+
+DividedView PixelDivision::by_visible_areas(PixelIndex pixel, std::span<const Candidate> candidates) {
     asked_.clear();
     asked_face_.clear();
     for (const std::uint32_t i : kept_) {
         asked_.push_back(question_.faces[candidates[i].face]);
         asked_face_.push_back(candidates[i].face);
     }
-    return by_visible_areas(pixel);
-}
-
-DividedView PixelDivision::by_visible_areas(PixelIndex pixel) {
     const PixelCoverage coverage = visible_areas_(pixel, asked_, Nearness::ByDepth);
     parts_.clear();
     for (const VisiblePart& part : coverage.parts)

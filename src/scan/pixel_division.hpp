@@ -32,13 +32,14 @@ struct DividedView {
 /// Divides a pixel among its candidates, in the way that the extraction rule asks for. One object a thread.
 class PixelDivision {
   public:
-    explicit PixelDivision(const ScanQuestion& question) : question_(question) {}
+    explicit PixelDivision(const ScanQuestion& question)
+        : question_(question), visible_areas_(question.options.engine) {}
 
     DividedView operator()(PixelIndex pixel, std::span<const Candidate> candidates);
 
   private:
     DividedView by_exact_areas(PixelIndex pixel, std::span<const Candidate> candidates);
-    DividedView by_visible_areas(PixelIndex pixel);
+    DividedView by_visible_areas(PixelIndex pixel, std::span<const Candidate> candidates);
     DividedView by_scanline(PixelIndex pixel, std::span<const Candidate> candidates);
     /// Paper 2.1: an outline of a conductor, or a near-horizontal edge of anything else, meets the pixel.
     bool flagged(PixelIndex pixel, std::span<const Candidate> candidates) const;

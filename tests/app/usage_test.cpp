@@ -45,6 +45,7 @@ TEST_CASE("keikan: wrong usage is one line and exit code 2", "[app]") {
     refused("render " + hill() + " -o - --size 99999999999x1", "WIDTHxHEIGHT");
     refused("render " + hill() + " -o - --method magic", "magic");
     refused("render " + hill() + " -o - --engine magic", "magic");
+    refused("scan " + hill() + " -o x.scan --engine published", "add up to 1");
     refused("render " + hill() + " -o - --extract magic", "magic");
     refused("render " + hill() + " -o - --aov", ".exr");
     refused("render " + hill() + " -o picture.jpeg", "picture.jpeg");

@@ -153,6 +153,26 @@ TEST_CASE("scan: random faces, large and tiny, are divided as visible_areas says
     }
 }
 
+TEST_CASE("scan: every engine but the published one divides as the default does (2)", "[scan][engine]") {
+    const Camera view = camera({6, 6});
+    Mesh mesh;  // three rectangles that overlap, with borders off the pixels'
+    add_rectangle(mesh, view, 0.3, 0.4, 3.6, 4.2, 10);
+    add_rectangle(mesh, view, 1.7, 2.1, 5.2, 5.9, 12);
+    add_rectangle(mesh, view, -1, 3.3, 7, 3.8, 8);
+    const Geometry scene = geometry(mesh);
+    ScanOptions by_traversal;
+    by_traversal.engine = Engine::Traversal;
+    const auto expected = shown(scanned(scene, view), view.size);
+    const auto found = shown(scanned(scene, view, by_traversal), view.size);
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        REQUIRE(found[i].weights.size() == expected[i].weights.size());
+        for (const auto& [id, weight] : expected[i].weights)
+            CHECK(found[i].weights.at(id) == Approx(weight).margin(kTwoBounds));
+        CHECK(found[i].background == Approx(expected[i].background).margin(kTwoBounds));
+    }
+}
+
 TEST_CASE("scan: the bands are the same for 1, 2 and 8 threads (3)", "[scan][threads]") {
     const Camera view = camera({64, 100});
     std::vector<Object> objects;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "keikan/clip/visible_areas.hpp"
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/scan/scan_band.hpp"
 
@@ -21,6 +22,9 @@ struct ScanOptions {
     Extraction extraction = Extraction::Outline;
     /// Extraction::Paper: an edge is near-horizontal when |dy| < near_horizontal_slope |dx|.
     double near_horizontal_slope = 0.25;
+    /// What divides the pixels. Engine::Splitting is asked only where faces may overlap; any other engine gets
+    /// every pixel that is divided, and its areas are taken as they are: Engine::Published's can be wrong.
+    Engine engine = Engine::Splitting;
 };
 
 struct ScanStatistics {
@@ -38,8 +42,8 @@ struct ScanStatistics {
 ///
 /// Properties:
 ///   (1) Every pixel is in exactly one span or divided pixel.
-///   (2) Under Extraction::Outline, the weights are visible_areas() of all `faces`, within its bounds; a span
-///       shows its face wholly.
+///   (2) Under Extraction::Outline, the weights are visible_areas() of all `faces`, within its bounds (but
+///       for Engine::Published); a span shows its face wholly.
 ///   (3) The bands are the same, byte for byte, for any number of threads.
 /// Paper:    section 2, Fig. 1 (scan processing), and 3.1.
 ScanStatistics scan_faces(const ProjectedFaces& faces, const Geometry& geometry, const Camera& camera,
