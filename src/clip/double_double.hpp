@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Error-free sums and products of doubles, and the unevaluated sum of two of them. After Dekker 1971 and
-// Shewchuk 1997. Only + - * / are used: no fused operation is needed, and the bits are the same everywhere.
+// Shewchuk 1997. Only + - * / are used: no fused operation is needed. Where the compiler has one, it gives the
+// error of a product at once: the bits are the same everywhere.
 // Where a compiler fuses operations all the same, what is exact here stays exact.
 #pragma once
 
@@ -61,9 +62,13 @@ inline DoubleDouble split(double a) {
 /// a * b, exactly, unless the error term underflows (|a b| < 2^-968) or a factor passes 2^996.
 inline DoubleDouble two_product(double a, double b) {
     const double product = rounded(a * b);
+#ifdef __FMA__
+    return {product, __builtin_fma(a, b, -product)};
+#else
     const DoubleDouble x = split(a);
     const DoubleDouble y = split(b);
     return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+#endif
 }
 
 /// x + y with a relative error of at most 3 * 2^-106 (Joldes, Muller, Popescu 2017, theorem 3.1).
