@@ -61,8 +61,9 @@ Engine engine_of(const std::string& engine) {
 Engine engine_of_scan_file(const std::string& text) {
     const Engine engine = engine_of(text);
     if (engine == Engine::Published)
-        throw InputError("--engine published: a scan file promises areas that add up to 1; "
-                         "render and areas take this engine");
+        throw InputError(
+            "--engine published: a scan file promises areas that add up to 1; "
+            "render and areas take this engine");
     return engine;
 }
 

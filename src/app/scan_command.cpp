@@ -59,7 +59,8 @@ void add_scan_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
-    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal")->capture_default_str();
+    sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal")
+        ->capture_default_str();
     sub->add_option("--stats", command->stats, "Write seconds per stage and counts as JSON");
     sub->callback([command, &common] { scan(*command, common); });
 }
