@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
+#include "fuzz/shrink_case.hpp"
 #include "peers/contest.hpp"
 #include "planted.hpp"
 
@@ -55,12 +56,25 @@ Finding finding_of(const Contestant& contestant) {
 
 }  // namespace
 
+namespace {
+
+Finding shrunk(const Finding& finding, const Contestant& contestant) {
+    TruthTeller truth;
+    const auto still_shows = [&](const PixelCase& smaller) {
+        return shows_the_same(asked_about(smaller, contestant, truth), finding);
+    };
+    PixelCase smallest = fuzz::shrunk(finding.pixel_case, still_shows);
+    smallest.id = finding.pixel_case.id;
+    return asked_about(std::move(smallest), contestant, truth);
+}
+
+}  // namespace
+
 TEST_CASE("bug report: a wrong area is shrunk to the polygons that it takes", "[peers]") {
     const Contestant contestant = in_a_fork(forgetful(false), {});
     const Finding finding = finding_of(contestant);
     CHECK(finding.error == Approx(1.0 / 16).epsilon(1e-12));
-    TruthTeller truth;
-    const Finding smallest = shrunk(finding, contestant, truth);
+    const Finding smallest = shrunk(finding, contestant);
     CHECK(smallest.pixel_case.polygons == std::vector<Ring>{box(0, 0.5, 0.25, 0.75), box(0, 0, 1, 1)});
     CHECK(smallest.error == Approx(1.0 / 16).epsilon(1e-12));
 
@@ -76,8 +90,7 @@ TEST_CASE("bug report: a wrong area is shrunk to the polygons that it takes", "[
 
 TEST_CASE("bug report: an exception is shrunk and told with its message", "[peers]") {
     const Contestant contestant = in_a_fork(forgetful(true), {});
-    TruthTeller truth;
-    const Finding smallest = shrunk(finding_of(contestant), contestant, truth);
+    const Finding smallest = shrunk(finding_of(contestant), contestant);
     CHECK(smallest.pixel_case.polygons.size() == 2);
     const std::string report = bug_report(smallest, contestant, "");
     CHECK_THAT(report, Contains("# forgetful 1.0: no answer: forgot what to subtract"));

@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "crosscheck/error_bounds.hpp"
 #include "fuzz/degenerate_families.hpp"
+#include "fuzz/shrink_case.hpp"
 #include "keikan/cases/case_format.hpp"
 #include "keikan/support/atomic_file.hpp"
 #include "keikan/support/input_error.hpp"
@@ -184,6 +185,20 @@ void compare_peers(const PeersCommand& command, CommonOptions& common) {
     fmt::print(stderr, "{} pixels, {} polygons; {:.1f} s\n", result.pixels, result.polygons, seconds);
 }
 
+/// The finding, shrunk. Each question goes to a contestant of its own, which has no failures to look back on.
+Finding smallest_form(const Finding& finding, const std::function<std::vector<Contestant>()>& asked_alone) {
+    constexpr std::size_t kMostQuestions = 1000, kMostHangs = 20;
+    TruthTeller truth;
+    const auto asked = [&](PixelCase pixel_case) {
+        return asked_about(std::move(pixel_case), asked_alone().front(), truth);
+    };
+    PixelCase smallest = fuzz::shrunk(
+        finding.pixel_case, [&](const PixelCase& c) { return shows_the_same(asked(c), finding); },
+        finding.reply.outcome == Outcome::Hang ? kMostHangs : kMostQuestions);
+    smallest.id = finding.pixel_case.id;
+    return asked(std::move(smallest));
+}
+
 /// --show FAMILY:PEER
 void show_worst(PeersCommand command, CommonOptions& common) {
     const std::size_t colon = command.show.rfind(':');
@@ -194,9 +209,13 @@ void show_worst(PeersCommand command, CommonOptions& common) {
     if (!external) command.programs.clear();
     command.families = {family};
     const ThreadLimit threads(common.threads);
-    std::vector<Contestant> asked = chosen_contestants(command);
-    std::erase_if(asked, [&](const Contestant& c) { return c.name != peer; });
-    if (asked.empty()) throw InputError("--show " + command.show + ": there is no such --exec");
+    const auto asked_alone = [&] {
+        std::vector<Contestant> chosen = chosen_contestants(command);
+        std::erase_if(chosen, [&](const Contestant& c) { return c.name != peer; });
+        if (chosen.empty()) throw InputError("--show " + command.show + ": there is no such --exec");
+        return chosen;
+    };
+    const std::vector<Contestant> asked = asked_alone();
     Contest result;
     if (command.file.empty() || family == "all") {
         result = held(command, asked, common);
@@ -212,8 +231,7 @@ void show_worst(PeersCommand command, CommonOptions& common) {
     }
     if (!result.worst.front())
         throw InputError(fmt::format("--show {}: {} was not asked about any pixel", command.show, peer));
-    TruthTeller truth;
-    const Finding smallest = shrunk(*result.worst.front(), asked.front(), truth);
+    const Finding smallest = smallest_form(*result.worst.front(), asked_alone);
     std::string replay = "keikan-verify peers";
     if (command.file.empty())
         replay += fmt::format(" --count {} --seed {}", command.count, common.seed);

@@ -40,7 +40,12 @@ struct BoostGeometry {
 }  // namespace
 
 Peer boost_geometry() {
-    return {.name = "boost-geometry", .version = "Boost.Geometry " BOOST_LIB_VERSION, .start = []() -> Ask {
+    constexpr int kMajor = BOOST_VERSION / 100'000, kMinor = BOOST_VERSION / 100 % 1000;
+    std::string version = "Boost.Geometry " + std::to_string(kMajor) + "." + std::to_string(kMinor);
+#ifndef BOOST_GEOMETRY_USE_RESCALING
+    version += ", without rescaling";
+#endif
+    return {.name = "boost-geometry", .version = version, .start = []() -> Ask {
                 return [library = BoostGeometry()](const PreparedPixel& pixel, Answer& answer) mutable {
                     ask_by_repeated_differences(library, pixel, answer);
                 };

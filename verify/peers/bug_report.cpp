@@ -45,22 +45,6 @@ const char* in_words(Outcome outcome) {
     return "";
 }
 
-PixelCase without_polygon(PixelCase pixel_case, std::size_t i) {
-    const auto place = static_cast<std::ptrdiff_t>(i);
-    pixel_case.polygons.erase(pixel_case.polygons.begin() + place);
-    if (pixel_case.depth) pixel_case.depth->erase(pixel_case.depth->begin() + place);
-    pixel_case.areas.reset();
-    pixel_case.background.reset();
-    return pixel_case;
-}
-
-Finding asked_again(PixelCase pixel_case, const Contestant& contestant, TruthTeller& truth) {
-    const Batch batch({pixel_case});
-    Reply reply = contestant.ask(batch).replies.at(0);
-    const double error = reply.outcome == Outcome::Answered ? error_of(reply.answer, truth(pixel_case)) : 0;
-    return {std::move(pixel_case), std::move(reply), error};
-}
-
 std::string fraction(const CGAL::Gmpq& number) {
     std::ostringstream out;
     out << number;
@@ -91,15 +75,16 @@ bool is_worse(const Reply& reply, double error, const Finding& than) {
     return std::pair(rank(reply.outcome), error) > std::pair(rank(than.reply.outcome), than.error);
 }
 
-Finding shrunk(const Finding& finding, const Contestant& contestant, TruthTeller& truth) {
-    Finding best = finding;
-    for (std::size_t i = best.pixel_case.polygons.size(); i-- > 0;) {
-        if (best.pixel_case.polygons.size() == 1) break;
-        Finding smaller = asked_again(without_polygon(best.pixel_case, i), contestant, truth);
-        if (smaller.reply.outcome == finding.reply.outcome && smaller.error >= finding.error / 2)
-            best = std::move(smaller);
-    }
-    return best;
+Finding asked_about(PixelCase pixel_case, const Contestant& contestant, TruthTeller& truth) {
+    std::vector<PixelCase> one{pixel_case};
+    const Batch batch(std::move(one));
+    Reply reply = contestant.ask(batch).replies.at(0);
+    const double error = reply.outcome == Outcome::Answered ? error_of(reply.answer, truth(pixel_case)) : 0;
+    return {std::move(pixel_case), std::move(reply), error};
+}
+
+bool shows_the_same(const Finding& smaller, const Finding& finding) {
+    return smaller.reply.outcome == finding.reply.outcome && smaller.error >= finding.error / 2;
 }
 
 std::string bug_report(const Finding& finding, const Contestant& contestant, const std::string& replay) {

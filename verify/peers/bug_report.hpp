@@ -17,9 +17,12 @@ struct Finding {
 /// before any wrong answer, a larger error before a smaller one.
 bool is_worse(const Reply& reply, double error, const Finding& than);
 
-/// The finding with as few polygons as still show it: the same kind of failure, or an error of at least half
+/// What the contestant says about this one pixel.
+Finding asked_about(PixelCase pixel_case, const Contestant& contestant, TruthTeller& truth);
+
+/// Whether `smaller` still shows what `finding` does: the same kind of failure, or an error of at least half
 /// of it.
-Finding shrunk(const Finding& finding, const Contestant& contestant, TruthTeller& truth);
+bool shows_the_same(const Finding& smaller, const Finding& finding);
 
 /// A report for the authors of the contestant, in Markdown: what was asked, the polygons as well-known text
 /// as they were handed over, each area as answered and as it is, exactly, and the pixel case. `replay` is the
