@@ -193,6 +193,20 @@ TEST_CASE("classify_intersections: rings apart have nothing in common, those wit
     CHECK(open_with_nothing_in_common > 100);
 }
 
+TEST_CASE("classify_intersections: a ring without area on an edge of the clipper is within it, not apart",
+          "[clip][degenerate]") {
+    const Ring clip{{0, 0}, {2, 0}, {2, 2}};
+    IntersectionClassifier classify;
+    RingDifference subtract(Lattice::Doubles);
+    SignedRings rest;
+    for (const Ring& flat : {Ring{{0, 0}, {2, 0}, {1, 0}}, Ring{{0, 0}, {1, 1}, {2, 2}, {1, 1}}}) {
+        CHECK(classify.position(flat, clip) == Position::Within);
+        subtract(flat, 1, clip, rest);
+        CHECK(rest.empty());
+    }
+    CHECK(classify.position(Ring{{-1, 0}, {2, 0}, {1, 0}}, clip) == Position::Open);
+}
+
 TEST_CASE("ring_difference: contacts are told where none was needed, too", "[clip]") {
     RingDifference subtract(Lattice::Doubles);
     IntersectionClassifier classify;
