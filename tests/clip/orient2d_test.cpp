@@ -70,3 +70,21 @@ TEST_CASE("orient2d: agrees with rational arithmetic on nearly collinear points"
     }
     CHECK(zeros > 100);
 }
+
+TEST_CASE("orient2d: exact for coordinates of all sizes at once, denormal ones too", "[clip][orient2d]") {
+    constexpr double kSizes[] = {0,       0x1p-1074, 0x3p-1074, -0x1p-1074, 1e-310, 1e-300, 0x1p-1022, 1e-160,
+                                 0x1p-53, 1,         -1,        3,          1e160,  1e300,  0x1p1023};
+    std::mt19937_64 random(3);
+    const auto any = [&] { return kSizes[random() % std::size(kSizes)] * (random() % 2 == 0 ? 1 : 0.75); };
+    long zeros = 0, tiny = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Point a{any(), any()}, b{any(), any()}, c{any(), any()};
+        const Sign truth = rational_orient2d(a, b, c);
+        zeros += truth == Sign::Zero;
+        tiny += truth != Sign::Zero && std::abs((a.x - c.x) * (b.y - c.y)) < 0x1p-1074;
+        REQUIRE(orient2d(a, b, c) == truth);
+    }
+    CHECK(zeros > 10);
+    CHECK(tiny > 10);
+    CHECK(orient2d({0x1p-1074, 0}, {0, 0}, {0, 0x1p-1074}) == Sign::Negative);
+}

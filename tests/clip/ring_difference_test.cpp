@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "grid_polygons.hpp"
 #include "keikan/clip/published_clipper.hpp"
@@ -46,6 +47,15 @@ int winding_number(std::span<const Point> ring, Point p) {
         if (a.y > p.y && b.y <= p.y && orient2d(a, b, p) == Sign::Negative) --winding;
     }
     return winding;
+}
+
+/// Any three corners turn from +x towards +y.
+bool strictly_convex(const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        for (std::size_t j = i + 1; j < ring.size(); ++j)
+            for (std::size_t k = j + 1; k < ring.size(); ++k)
+                if (orient2d(ring[i], ring[j], ring[k]) != Sign::Positive) return false;
+    return true;
 }
 
 Ring reversed(Ring ring) {
@@ -308,4 +318,34 @@ TEST_CASE("ring_difference: property 5: neither orientation nor start vertex cha
                 REQUIRE(std::abs(area_of(difference(reversed(moved_a), b)) + area) <= kGridAreaError);
             }
         }
+}
+
+TEST_CASE("ring_difference: coordinates of all sizes at once: turns are paired, every ring closes",
+          "[clip][degenerate]") {
+    constexpr double kSizes[] = {0,      0x1p-1074, 0x2p-1074, -0x1p-1074, 0x3p-1074, 1e-300, 2e-300,
+                                 1e-160, 1,         2,         -1,         0x1p-53,   3};
+    std::mt19937_64 random(1);
+    const auto any_ring = [&](std::size_t corners) {
+        Ring ring;
+        for (std::size_t i = 0; i < corners; ++i) {
+            const double x = kSizes[random() % std::size(kSizes)];
+            const Point p{x, kSizes[random() % std::size(kSizes)]};
+            if (ring.empty() || (ring.back() != p && (i + 1 < corners || ring[0] != p))) ring.push_back(p);
+        }
+        return ring;
+    };
+    long steps = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Ring clip = any_ring(3 + random() % 2), subject = any_ring(3 + random() % 4);
+        if (clip.size() < 3 || subject.size() < 3 || !strictly_convex(clip)) continue;
+        RingDifference subtract(IntersectionClassifier::Lattice::Doubles);
+        SignedRings rest;
+        subtract(subject, 1, clip, rest);
+        long enters = 0, leaves = 0;
+        for (const Contact& c : subtract.contacts())
+            enters += c.turn == Turn::Enter, leaves += c.turn == Turn::Leave;
+        REQUIRE(enters == leaves);
+        ++steps;
+    }
+    CHECK(steps > 2000);
 }

@@ -19,9 +19,7 @@ constexpr Sign operator-(Sign sign) {
 ///   (2) Multiplying every coordinate with the same power of two changes nothing.
 ///
 /// Requires: finite coordinates.
-/// Exact:    for the doubles as given, whenever no non-zero coordinate is smaller than the largest by a
-///           factor of more than 2^970. Beyond that, products of two such small coordinates may
-///           underflow, and the sign of a determinant that consists of nothing else may read as Zero.
+/// Exact:    for all finite doubles.
 /// Cost:     about ten operations; the exact sum is formed only where rounding could hide the sign.
 Sign orient2d(Point a, Point b, Point c);
 
