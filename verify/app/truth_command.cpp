@@ -26,6 +26,7 @@
 #include "truth/read_layer.hpp"
 #include "truth/scene_truth.hpp"
 #include "truth/truth_files.hpp"
+#include "truth/world_truth.hpp"
 
 namespace keikan {
 namespace {
@@ -33,6 +34,8 @@ namespace {
 struct TruthCommand {
     std::string scene, output, size, format = "auto", png, window;
     std::vector<std::string> layers;
+    bool from_world = false;
+    std::uint64_t one_in = 16;
 };
 
 /// Whether the mattes go into a Cryptomatte; otherwise into channels. Errors: InputError.
@@ -98,9 +101,11 @@ void truth_of_scene(const TruthCommand& command, CommonOptions& common) {
         progress.advance(static_cast<std::size_t>(band.rows));
     });
     const truth::CoveragePicture& picture = truth.picture();
+    const ImageSize size = scene.camera.size;
     const std::string format = write_picture(command, picture,
                                              {{"scene", scene.file.filename().string()},
-                                              {"scene_hash", fmt::format("{:016x}", scene.geometry_hash)}});
+                                              {"scene_hash", fmt::format("{:016x}", scene.geometry_hash)},
+                                              {"window", fmt::format("0,0,{},{}", size.width, size.height)}});
 
     const truth::TruthSummary& found = truth.summary();
     common.pass = found.pass();
@@ -124,6 +129,15 @@ void truth_of_scene(const TruthCommand& command, CommonOptions& common) {
     json["unsettled"] = found.unsettled;
     json["form_faults"] = found.form_faults;
     json["worst"] = places(found.worst);
+    if (command.from_world) {
+        const truth::WorldSummary world =
+            truth::rounding_of_projection(faces, geometry, scene.camera, common.seed, command.one_in);
+        json["from_world"] = {{"checked", world.checked},
+                              {"one_in", command.one_in},
+                              {"max_coverage_difference", world.max_difference},
+                              {"pixel", {world.at.x, world.at.y}},
+                              {"object", world.object}};
+    }
     json["seconds"] = seconds_since(start);
     tell_json(json.dump(), common);
     if (common.quiet) return;
@@ -192,7 +206,10 @@ void truth_of_layers(const TruthCommand& command, CommonOptions& common) {
 void run_truth(const TruthCommand& command, CommonOptions& common) {
     if (command.scene.empty() == command.layers.empty())
         throw InputError("truth: takes a scene, or --layers with --window and --size");
-    if (!command.layers.empty()) return truth_of_layers(command, common);
+    if (!command.layers.empty()) {
+        if (command.from_world) throw InputError("--from-world: layers have no camera");
+        return truth_of_layers(command, common);
+    }
     if (!command.window.empty()) throw InputError("--window: a scene has its camera");
     truth_of_scene(command, common);
 }
@@ -214,6 +231,12 @@ void add_truth_command(CLI::App& app, CommonOptions& common) {
         ->delimiter(',');
     sub->add_option("--window", command->window,
                     "X0,Y0,X1,Y1: the picture's first and last corner in the layers' coordinates");
+    sub->add_flag("--from-world", command->from_world,
+                  "Measure the rounding of the projection too: coverage from world coordinates, exactly");
+    sub->add_option("--one-in", command->one_in,
+                    "--from-world: one of so many pixels that show more than a face")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32))
+        ->capture_default_str();
     sub->callback([command, &common] { run_truth(*command, common); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <CGAL/Gmpq.h>
+#include <gmpxx.h>
 
 #include <cstdint>
 #include <span>
@@ -39,6 +40,21 @@ ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> face
 /// if the areas do not add up to 1 exactly. Cost: some 0.3 ms for a pixel of 7 faces; more where numbers are
 /// denormal.
 ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
+
+/// The image point (x / w, y / w), w > 0.
+struct RationalPoint {
+    mpz_class x, y, w;
+};
+
+/// A face whose outline and depth plane are fractions, as no double could state them.
+struct RationalFace {
+    FaceId id = 0;
+    std::vector<RationalPoint> outline;
+    mpq_class a, b, c;
+};
+
+/// The same of such faces, ByDepth.
+ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const RationalFace> faces);
 
 /// An area that is certainly within [value - error, value + error].
 struct CertifiedArea {

@@ -95,6 +95,7 @@ struct Halves {
 class Splitting {
   public:
     Splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
+    Splitting(PixelIndex pixel, std::span<const RationalFace> faces);
     ExactAreas areas();
 
   private:
@@ -104,8 +105,12 @@ class Splitting {
     int side(const Line& line, const HomogeneousPoint& point);
     Halves split(const ConvexPolygon& polygon, const Line* line);
     ConvexPolygon polygon_through(const std::vector<const HomogeneousPoint*>& ring);
+    void add_square();
     std::vector<const HomogeneousPoint*> hull(std::span<const Point> outline);
-    ConvexPolygon in_pixel(const FaceView& face);
+    std::vector<const HomogeneousPoint*> hull(const std::vector<RationalPoint>& outline);
+    ConvexPolygon in_pixel(const std::vector<const HomogeneousPoint*>& hull);
+    Line difference(const DepthPlane& u, const DepthPlane& v) const;
+    Line difference(const RationalFace& u, const RationalFace& v) const;
     ConvexPolygon where_nearer(std::size_t other, std::size_t face);
     void subtract(std::vector<ConvexPolygon>& pieces, const ConvexPolygon& hiding);
     mpq_class area(std::span<const ConvexPolygon> pieces);
@@ -113,7 +118,9 @@ class Splitting {
 
     PixelIndex pixel_;
     std::span<const FaceView> faces_;
+    std::span<const RationalFace> rational_faces_;  ///< instead of `faces_`
     Nearness nearness_;
+    std::vector<FaceId> ids_;
     std::deque<HomogeneousPoint> points_;
     std::deque<Line> lines_;
     ConvexPolygon square_;
@@ -132,14 +139,29 @@ bool may_touch(std::span<const Point> outline, PixelIndex pixel) {
 
 Splitting::Splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness)
     : pixel_(pixel), faces_(faces), nearness_(nearness) {
+    add_square();
+    for (const FaceView& face : faces) {
+        ids_.push_back(face.id);
+        polygons_.push_back(may_touch(face.outline, pixel_) ? in_pixel(hull(face.outline)) : ConvexPolygon{});
+        boxes_.push_back(box_of(polygons_.back()));
+    }
+}
+
+Splitting::Splitting(PixelIndex pixel, std::span<const RationalFace> faces)
+    : pixel_(pixel), rational_faces_(faces), nearness_(Nearness::ByDepth) {
+    add_square();
+    for (const RationalFace& face : faces) {
+        ids_.push_back(face.id);
+        polygons_.push_back(in_pixel(hull(face.outline)));
+        boxes_.push_back(box_of(polygons_.back()));
+    }
+}
+
+void Splitting::add_square() {
     std::vector<const HomogeneousPoint*> corners;
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
         corners.push_back(&points_.emplace_back(HomogeneousPoint{x, y, 1, double(x), double(y)}));
     square_ = polygon_through(corners);
-    for (const FaceView& face : faces) {
-        polygons_.push_back(in_pixel(face));
-        boxes_.push_back(box_of(polygons_.back()));
-    }
 }
 
 const Line* Splitting::add_line(Line line) {
@@ -241,21 +263,10 @@ ConvexPolygon Splitting::polygon_through(const std::vector<const HomogeneousPoin
     return polygon;
 }
 
-/// The convex hull, strictly convex, by Andrew's monotone chains; empty if it has no area.
-std::vector<const HomogeneousPoint*> Splitting::hull(std::span<const Point> outline) {
-    std::vector<Point> sorted(outline.begin(), outline.end());
-    std::ranges::sort(sorted,
-                      [](const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    std::vector<const HomogeneousPoint*> exact;
-    for (const Point& p : sorted) {
-        const int bits = std::max(bits_after_the_point(p.x), bits_after_the_point(p.y));
-        const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(bits);
-        exact.push_back(&points_.emplace_back(
-            HomogeneousPoint{scaled(p.x, bits) - pixel_.x * one, scaled(p.y, bits) - pixel_.y * one, one}));
-    }
-    if (exact.size() < 3) return {};
-
+/// The convex hull, strictly convex, of points sorted by x and then by y, by Andrew's monotone chains; empty
+/// if it has no area.
+std::vector<const HomogeneousPoint*> hull_of(const std::vector<const HomogeneousPoint*>& sorted) {
+    if (sorted.size() < 3) return {};
     const auto turns_left = [](const HomogeneousPoint& p, const HomogeneousPoint& q,
                                const HomogeneousPoint& r) {
         return p.x * (q.y * r.w - r.y * q.w) + p.y * (r.x * q.w - q.x * r.w) + p.w * (q.x * r.y - r.x * q.y) >
@@ -271,38 +282,85 @@ std::vector<const HomogeneousPoint*> Splitting::hull(std::span<const Point> outl
         }
         ring.pop_back();  // the next chain starts with it
     };
-    add_chain(exact.begin(), exact.end());
-    add_chain(exact.rbegin(), exact.rend());
+    add_chain(sorted.begin(), sorted.end());
+    add_chain(sorted.rbegin(), sorted.rend());
     return ring.size() >= 3 ? ring : std::vector<const HomogeneousPoint*>{};
 }
 
-ConvexPolygon Splitting::in_pixel(const FaceView& face) {
-    if (!may_touch(face.outline, pixel_)) return {};
+std::vector<const HomogeneousPoint*> Splitting::hull(std::span<const Point> outline) {
+    std::vector<Point> sorted(outline.begin(), outline.end());
+    std::ranges::sort(sorted,
+                      [](const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    std::vector<const HomogeneousPoint*> exact;
+    for (const Point& p : sorted) {
+        const int bits = std::max(bits_after_the_point(p.x), bits_after_the_point(p.y));
+        const mpz_class one = mpz_class(1) << static_cast<mp_bitcnt_t>(bits);
+        exact.push_back(&points_.emplace_back(
+            HomogeneousPoint{scaled(p.x, bits) - pixel_.x * one, scaled(p.y, bits) - pixel_.y * one, one}));
+    }
+    return hull_of(exact);
+}
+
+std::vector<const HomogeneousPoint*> Splitting::hull(const std::vector<RationalPoint>& outline) {
+    std::vector<const HomogeneousPoint*> sorted;
+    for (const RationalPoint& p : outline)
+        sorted.push_back(
+            &points_.emplace_back(HomogeneousPoint{p.x - pixel_.x * p.w, p.y - pixel_.y * p.w, p.w}));
+    const auto order = [](const HomogeneousPoint* p, const HomogeneousPoint* q) {
+        const int by_x = cmp(p->x * q->w, q->x * p->w);
+        return by_x != 0 ? by_x : cmp(p->y * q->w, q->y * p->w);
+    };
+    std::ranges::sort(sorted, [&](auto* p, auto* q) { return order(p, q) < 0; });
+    sorted.erase(
+        std::unique(sorted.begin(), sorted.end(), [&](auto* p, auto* q) { return order(p, q) == 0; }),
+        sorted.end());
+    return hull_of(sorted);
+}
+
+ConvexPolygon Splitting::in_pixel(const std::vector<const HomogeneousPoint*>& hull) {
     ConvexPolygon inside = square_;
-    const ConvexPolygon outline = polygon_through(hull(face.outline));
+    const ConvexPolygon outline = polygon_through(hull);
     if (outline.empty()) return {};
     for (const Corner& corner : outline) inside = split(inside, corner.line).left;
     return inside;
+}
+
+/// Where u = v, pixel-local; u is larger on the positive side.
+Line Splitting::difference(const DepthPlane& u, const DepthPlane& v) const {
+    int bits = 0;
+    for (const double value : {u.a, u.b, u.c, v.a, v.b, v.c})
+        bits = std::max(bits, bits_after_the_point(value));
+    Line line{scaled(u.a, bits) - scaled(v.a, bits), scaled(u.b, bits) - scaled(v.b, bits),
+              scaled(u.c, bits) - scaled(v.c, bits)};
+    line.c += line.a * pixel_.x + line.b * pixel_.y;
+    return line;
+}
+
+Line Splitting::difference(const RationalFace& u, const RationalFace& v) const {
+    const mpq_class a = u.a - v.a, b = u.b - v.b;
+    const mpq_class c = u.c - v.c + a * pixel_.x + b * pixel_.y;
+    mpz_class common;
+    mpz_lcm(common.get_mpz_t(), a.get_den_mpz_t(), b.get_den_mpz_t());
+    mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), c.get_den_mpz_t());
+    const auto whole = [&](const mpq_class& value) -> mpz_class {
+        return value.get_num() * (common / value.get_den());
+    };
+    return {whole(a), whole(b), whole(c)};
 }
 
 /// The part of face `other` in the pixel where it is nearer than face `face`.
 ConvexPolygon Splitting::where_nearer(std::size_t other, std::size_t face) {
     const ConvexPolygon& polygon = polygons_[other];
     if (nearness_ == Nearness::InOrder) return other < face ? polygon : ConvexPolygon{};
-    const DepthPlane& u = faces_[other].depth;
-    const DepthPlane& v = faces_[face].depth;
-    int bits = 0;
-    for (const double value : {u.a, u.b, u.c, v.a, v.b, v.c})
-        bits = std::max(bits, bits_after_the_point(value));
-    Line difference{scaled(u.a, bits) - scaled(v.a, bits), scaled(u.b, bits) - scaled(v.b, bits),
-                    scaled(u.c, bits) - scaled(v.c, bits)};
-    difference.c += difference.a * pixel_.x + difference.b * pixel_.y;
-    if (difference.a == 0 && difference.b == 0) {
-        const bool smaller = std::pair(faces_[other].id, other) < std::pair(faces_[face].id, face);
-        const bool nearer = difference.c != 0 ? difference.c > 0 : smaller;
+    Line over = rational_faces_.empty() ? difference(faces_[other].depth, faces_[face].depth)
+                                        : difference(rational_faces_[other], rational_faces_[face]);
+    if (over.a == 0 && over.b == 0) {
+        const bool smaller = std::pair(ids_[other], other) < std::pair(ids_[face], face);
+        const bool nearer = over.c != 0 ? over.c > 0 : smaller;
         return nearer ? polygon : ConvexPolygon{};
     }
-    return split(polygon, add_line(std::move(difference))).left;
+    return split(polygon, add_line(std::move(over))).left;
 }
 
 /// Takes `hiding` away from every piece: what lies right of one of its lines stays.
@@ -380,12 +438,14 @@ mpq_class Splitting::area(std::span<const ConvexPolygon> pieces) {
 /// Positions in the list, the face that probably hides most first. Only speed depends on it.
 std::vector<std::size_t> Splitting::likely_hiding() const {
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < faces_.size(); ++i)
+    for (std::size_t i = 0; i < polygons_.size(); ++i)
         if (!polygons_[i].empty()) order.push_back(i);
     if (nearness_ == Nearness::InOrder) return order;
     std::vector<double> in_middle;
     for (const auto& [id, outline, depth] : faces_)
         in_middle.push_back(depth.a * (pixel_.x + 0.5) + depth.b * (pixel_.y + 0.5) + depth.c);
+    for (const RationalFace& face : rational_faces_)
+        in_middle.push_back(mpq_class(face.a * pixel_.x + face.b * pixel_.y + face.c).get_d());
     std::ranges::stable_sort(order, std::greater<>(),
                              [&](std::size_t i) { return std::isnan(in_middle[i]) ? 0 : in_middle[i]; });
     return order;
@@ -396,7 +456,7 @@ ExactAreas Splitting::areas() {
     const std::vector<std::size_t> order = likely_hiding();
     std::vector<ConvexPolygon> background = {square_};
     mpq_class total = 0;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
         std::vector<ConvexPolygon> visible = {polygons_[i]};
         if (polygons_[i].empty()) visible.clear();
         for (const std::size_t j : order) {
@@ -418,6 +478,10 @@ ExactAreas Splitting::areas() {
 
 ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness) {
     return Splitting(pixel, faces, nearness).areas();
+}
+
+ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const RationalFace> faces) {
+    return Splitting(pixel, faces).areas();
 }
 
 }  // namespace keikan::oracle
