@@ -25,7 +25,7 @@ enum class Sampler {
 Sampler sampler_of(const std::string& name);
 
 /// Divisions of the pixel in x and y. Equation (2): floor(sqrt(N / 2)), and at least 1.
-/// Departure D12: the bound below, for N < 2.
+/// Departure D11: the bound below, for N < 2.
 int paper_divisions(std::size_t count);
 
 /// Replaces `points` by about `count` sample points of the unit square, keyed by `key` alone:
@@ -41,7 +41,7 @@ int paper_divisions(std::size_t count);
 ///       Paper (1 - 1/D^2) / (6 N), which is up to twice Random's.
 ///   (3) Sobol: of the first 2^m points, each elementary interval of area 2^-m holds exactly one.
 ///   (4) Sobol: the points for a smaller count are the first of those for a larger one.
-/// Paper:    section 4.3, Eq. (2), Fig. 8. Departure D13: Haber, Jittered and Sobol stand beside it.
+/// Paper:    section 4.3, Eq. (2), Fig. 8. Departure D12: Haber, Jittered and Sobol stand beside it.
 void sample_points(Sampler sampler, std::size_t count, std::uint64_t key, std::vector<Point>& points);
 
 /// Point i of the sequence that Sampler::Sobol takes its points from.

@@ -15,7 +15,7 @@ struct PaperSampleCounts {
 
 /// Equation (1): N = k_w sum A_i n_i with n_i = L_i / lambda_i, A_i the amplitude in metres, L_i the
 /// footprint's extent along wave i, lambda_i its length; rounded to nearest and held between `least` and
-/// `most`. Paper: section 4.2. Departure D12: the bounds, which the paper does not state.
+/// `most`. Paper: section 4.2. Departure D11: the bounds, which the paper does not state.
 int paper_first_count(const WaveSurface& waves, const WaterFootprint& footprint,
                       const PaperSampleCounts& counts);
 
