@@ -54,6 +54,7 @@ class Campaign {
     CampaignState run(const std::function<void(const CampaignState&)>& progress) {
         const auto start = Clock::now();
         const double before = state_.seconds;
+        if (progress) progress(state_);
         while (state_.done < options_.count && state_.seconds < options_.seconds) {
             const std::uint64_t to_boundary = kCasesInABatch - state_.done % kCasesInABatch;
             batch(std::min(to_boundary, options_.count - state_.done));

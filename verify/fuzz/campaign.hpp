@@ -28,7 +28,8 @@ struct CampaignOptions {
 };
 
 /// Asks the cases of the series of every examinee, batch by batch, until there are `count` or the time is
-/// over, and returns how it went. Findings are shrunk and stored (FindingStore, CampaignJournal).
+/// over, and returns how it went; `progress` sees the state at the start and after each batch. Findings are
+/// shrunk and stored (FindingStore, CampaignJournal).
 ///
 /// Properties: (1) Everything but `seconds` is the same for any number of threads and wherever the campaign
 ///             was interrupted, be it by kill -9, and resumed; so are the files, byte for byte.
