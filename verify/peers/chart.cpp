@@ -51,7 +51,7 @@ std::string grid(const Axis& axis, double bottom, bool percent) {
 
 std::string legend() {
     std::string items = text(kWrongLeft, 44, "start", "wrong by more than");
-    double x = kWrongLeft + 112;
+    double x = kWrongLeft + 122;
     for (std::size_t i = 0; i < kColours.size(); ++i, x += 66) {
         items += fmt::format("<rect x=\"{:.1f}\" y=\"34\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", x,
                              kColours[i]);
@@ -75,7 +75,7 @@ std::string row(const Standing& s, double y, const Axis& wrong, const Axis& spee
     if (s.all.failures() == 0 && s.all.wrong[0] == 0) row += text(wrong.left + 4, y + 16, "start", "none");
     row += bar(speed, s.pixels_per_second(), y, 23, "#4a7fb0");
     const double tip = s.pixels_per_second() > 0 ? speed.x(s.pixels_per_second()) : speed.left;
-    return row + text(tip + 4, y + 16, "start", fmt::format("{:.3g}", s.pixels_per_second()));
+    return row + text(tip + 4, y + 16, "start", fmt::format("{:.0f}", s.pixels_per_second()));
 }
 
 }  // namespace
