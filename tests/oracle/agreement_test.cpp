@@ -177,9 +177,12 @@ TEST_CASE("oracle: pixels a second of each rung", "[.rate]") {
     rate("certified, without denormal", 21000, usual, certified_areas);
     rate("certified, 100 bars", 20, crowd, certified_areas);
     rate("certified, terrain", 20000, terrain, certified_areas);
-    rate("rational, mixed", 1050, mixed, areas_by_rational_splitting);
-    rate("rational, without denormal", 1050, usual, areas_by_rational_splitting);
-    rate("rational, terrain", 500, terrain, areas_by_rational_splitting);
+    const auto by_rationals = [](PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness) {
+        return areas_by_rational_splitting(pixel, faces, nearness);
+    };
+    rate("rational, mixed", 1050, mixed, by_rationals);
+    rate("rational, without denormal", 1050, usual, by_rationals);
+    rate("rational, terrain", 500, terrain, by_rationals);
     rate("boolean sets, mixed", 105, mixed, areas_by_boolean_sets);
     rate("arrangement, mixed", 105, mixed, areas_by_arrangement);
     rate("arrangement, terrain", 20, terrain, areas_by_arrangement);
