@@ -22,7 +22,8 @@ Extraction extraction_of(const std::string& text);
 /// "splitting", "traversal" or "published". Errors: InputError.
 Engine engine_of(const std::string& engine);
 
-/// The same, but for "published", whose areas need not add up to what a scan file promises. Errors: InputError.
+/// The same, but for "published", whose areas need not add up to what a scan file promises. Errors:
+/// InputError.
 Engine engine_of_scan_file(const std::string& engine);
 
 /// For pictures: refuses what is not built: methods other than "kato". Errors: InputError.

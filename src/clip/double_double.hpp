@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Error-free sums and products of doubles, and the unevaluated sum of two of them. After Dekker 1971 and
-// Shewchuk 1997. Only + - * / are used: no fused operation is needed. Where the compiler has one, it gives the
-// error of a product at once: the bits are the same everywhere.
-// Where a compiler fuses operations all the same, what is exact here stays exact.
+// Shewchuk 1997. Only + - * / are used: no fused operation is needed. Where the compiler has one, it gives
+// the error of a product at once: the bits are the same everywhere. Where a compiler fuses operations all the
+// same, what is exact here stays exact.
 #pragma once
 
 namespace keikan::clip {

@@ -36,8 +36,8 @@ class NearnessDifference {
   public:
     /// Rough: good enough to decide most pairs, with a bound that says when not.
     static NearnessDifference rough(const LocalPlane& first, const LocalPlane& second);
-    /// The slopes are exact; the constant is off by at most 2^-80 of all three coefficients together, and exact
-    /// in its sign where the slopes are 0.
+    /// The slopes are exact; the constant is off by at most 2^-80 of all three coefficients together, and
+    /// exact in its sign where the slopes are 0.
     static NearnessDifference exact(PixelIndex pixel, const LocalPlane& first, const LocalPlane& second);
 
     /// Equal everywhere. Only of an exact difference.

@@ -22,8 +22,9 @@ struct ScanOptions {
     Extraction extraction = Extraction::Outline;
     /// Extraction::Paper: an edge is near-horizontal when |dy| < near_horizontal_slope |dx|.
     double near_horizontal_slope = 0.25;
-    /// What divides the pixels. Engine::Splitting is asked only where faces may overlap; any other engine gets
-    /// every pixel that is divided, and its areas are taken as they are: Engine::Published's can be wrong.
+    /// What divides the pixels. Engine::Splitting is asked only where faces may overlap; any other engine
+    /// gets every pixel that is divided, and its areas are taken as they are: Engine::Published's can be
+    /// wrong.
     Engine engine = Engine::Splitting;
 };
 
