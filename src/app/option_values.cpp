@@ -67,8 +67,4 @@ Engine engine_of_scan_file(const std::string& text) {
     return engine;
 }
 
-void require_method(const std::string& method) {
-    if (method != "kato") throw InputError("--method: '" + method + "' is not available; 'kato' is");
-}
-
 }  // namespace keikan

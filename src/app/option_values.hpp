@@ -26,7 +26,4 @@ Engine engine_of(const std::string& engine);
 /// InputError.
 Engine engine_of_scan_file(const std::string& engine);
 
-/// For pictures: refuses what is not built: methods other than "kato". Errors: InputError.
-void require_method(const std::string& method);
-
 }  // namespace keikan

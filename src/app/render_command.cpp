@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "keikan/baseline/method.hpp"
+#include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
 #include "keikan/support/progress.hpp"
 #include "option_values.hpp"
@@ -14,6 +16,15 @@ namespace keikan {
 
 namespace {
 
+/// Errors: InputError naming the option.
+baseline::Method method_option(const std::string& text) {
+    try {
+        return baseline::method_of(text);
+    } catch (const InputError& error) {
+        throw InputError(std::string("--method: ") + error.what());
+    }
+}
+
 struct RenderCommand {
     std::string scene, size, method = "kato", extract = "outline", engine = "splitting", stats;
     WaterChoice water;
@@ -21,7 +32,7 @@ struct RenderCommand {
 };
 
 void render(const RenderCommand& command, const CommonOptions& common) {
-    require_method(command.method);
+    const baseline::Method method = method_option(command.method);
     require_writable(command.output);
     const ThreadLimit threads(common.threads);
     StageClock clock;
@@ -31,13 +42,15 @@ void render(const RenderCommand& command, const CommonOptions& common) {
     const Geometry geometry = build_geometry(scene);
     clock.ended("build");
     Progress progress("rendering", static_cast<std::size_t>(scene.camera.size.height), !common.quiet);
-    RenderOptions options;
+    baseline::MethodOptions method_options;
+    method_options.seed = static_cast<std::uint32_t>(common.seed);
+    RenderOptions& options = method_options.render;
     options.scan.extraction = extraction_of(command.extract);
     options.water = water_options(command.water);
     options.scan.engine = engine_of(command.engine);
     options.extra = command.output.aov;
     options.after_rows = [&](int rows) { progress.advance(static_cast<std::size_t>(rows)); };
-    RenderedPicture picture = render_scene(scene, geometry, options);
+    RenderedPicture picture = render_by(method, scene, geometry, method_options);
     clock.ended("render");
     clock.note("render.project", picture.scan.seconds_project);
     clock.note("render.bin", picture.scan.seconds_bin);
@@ -63,7 +76,10 @@ void add_render_command(CLI::App& app, const CommonOptions& common) {
                     "Picture: .png, .exr, or - for PNG on standard output")
         ->required();
     sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
-    sub->add_option("--method", command->method, "Anti-aliasing: kato")->capture_default_str();
+    sub->add_option("--method", command->method,
+                    "Anti-aliasing: kato, none, multiscan:N, orthogonal:N, catmull, grid:N, random:N "
+                    "(docs/results.md)")
+        ->capture_default_str();
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
     add_water_options(*sub, command->water);

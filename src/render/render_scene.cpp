@@ -13,8 +13,6 @@
 
 namespace keikan {
 
-namespace {
-
 RenderedPicture empty_picture(ImageSize size, bool extra) {
     RenderedPicture picture;
     picture.image = Image<Rgb>(size);
@@ -22,6 +20,8 @@ RenderedPicture empty_picture(ImageSize size, bool extra) {
         picture.extra = {Image<float>(size), Image<float>(size), Image<float>(size), Image<float>(size)};
     return picture;
 }
+
+namespace {
 
 void paint(const ScanBand& band, const Scene& scene, const RenderOptions& options, RenderedPicture& picture,
            WaterPixels* water) {
@@ -60,6 +60,7 @@ RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const
     picture.scan = scan_faces(faces, geometry, scene.camera, options.scan, [&](const ScanBand& band) {
         const auto begin = Clock::now();
         paint(band, scene, options, picture, water ? &*water : nullptr);
+        if (options.after_band) options.after_band(band);
         picture.seconds_shade += std::chrono::duration<double>(Clock::now() - begin).count();
     });
     picture.scan.seconds_project += seconds_project;

@@ -97,16 +97,46 @@ class Painter {
         } else {
             paint_divided(all.parts(pixel), colour);
         }
-        statistics_.samples += samples_of_pixel_;
-        statistics_.most_samples = std::max(statistics_.most_samples, samples_of_pixel_);
-        const auto bin =
-            static_cast<std::size_t>(std::bit_width(std::max<std::uint64_t>(samples_of_pixel_, 1)) - 1);
-        ++statistics_.histogram[std::min(bin, statistics_.histogram.size() - 1)];
+        count_samples(samples_of_pixel_);
+    }
+
+    /// Adds the water of one pixel's points, each by its weight.
+    void paint_points(std::span<const WaterPoint> points, std::span<const std::uint16_t> water_of_object,
+                      Rgb& colour) {
+        at_ = {points[0].x, points[0].y};
+        region_.set_whole();
+        CounterRandom random(key(kSlope));
+        std::uint16_t resolved = kNoWater;
+        for (const WaterPoint& point : points) {
+            const std::uint16_t water = water_of_object[point.object];
+            if (water == kNoWater) continue;
+            if (water != resolved) {
+                water_ = &*shared_.scene.water[water];
+                resolve();
+                resolved = water;
+            }
+            const double u1 = random.uniform(), u2 = random.uniform();
+            SampleSums one;
+            sample(point.at, {u1, u2}, one);
+            const float weight = static_cast<float>(point.weight);
+            colour = colour + weight * Rgb{static_cast<float>(one.mean(0)), static_cast<float>(one.mean(1)),
+                                           static_cast<float>(one.mean(2))};
+        }
+        if (resolved == kNoWater) return;
+        ++statistics_.pixels;
+        count_samples(points.size());
     }
 
     const WaterStatistics& statistics() const { return statistics_; }
 
   private:
+    void count_samples(std::uint64_t samples) {
+        statistics_.samples += samples;
+        statistics_.most_samples = std::max(statistics_.most_samples, samples);
+        const auto bin = static_cast<std::size_t>(std::bit_width(std::max<std::uint64_t>(samples, 1)) - 1);
+        ++statistics_.histogram[std::min(bin, statistics_.histogram.size() - 1)];
+    }
+
     void paint_divided(std::span<const WaterPixels::Part> parts, Rgb& colour) {
         // The triangles of one water are one region; with nothing else in the pixel, the whole of it.
         double water_weight = 0;
@@ -336,6 +366,7 @@ std::vector<std::uint16_t> water_of_objects(const Scene& scene, const Geometry& 
 
 void WaterPixels::add_divided(int x, int y, std::span<const SeenPart> parts,
                               std::span<const SeenFace> faces) {
+    if (by_points_) return;
     const auto begin = static_cast<std::uint32_t>(parts_.size());
     for (const SeenPart& part : parts) {
         const SeenFace& face = faces[part.face];
@@ -347,25 +378,59 @@ void WaterPixels::add_divided(int x, int y, std::span<const SeenPart> parts,
     pixels_.push_back({x, y, kNoWater, begin, static_cast<std::uint32_t>(parts_.size())});
 }
 
+/// What outlives a list of pixels.
+struct WaterPainter::Working {
+    Working(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
+            const WaterOptions& options)
+        : rays(scene, geometry), light(scene, rays), shared{scene, faces, options, light} {}
+
+    FaceRays rays;
+    WaterLight light;
+    Shared shared;
+    SharedCounts counts;
+};
+
+WaterPainter::WaterPainter(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
+                           const WaterOptions& options)
+    : working_(std::make_unique<Working>(scene, geometry, faces, options)) {}
+
+WaterPainter::~WaterPainter() = default;
+
+void WaterPainter::paint(const WaterPixels& list, Image<Rgb>& image) {
+    // Far pixels need other times than near ones: short runs share the work evenly.
+    constexpr std::size_t kPixelsPerRun = 128;
+    const auto all = list.pixels();
+    parallel_ranges(all.size(), kPixelsPerRun, [&](std::size_t first, std::size_t end) {
+        Painter painter(working_->shared);
+        for (std::size_t i = first; i < end; ++i)
+            painter.paint(list, all[i], image[PixelIndex{all[i].x, all[i].y}]);
+        working_->counts.add(painter.statistics());
+    });
+}
+
+void WaterPainter::paint(std::span<const WaterPoint> points, std::span<const std::uint16_t> water_of_object,
+                         Image<Rgb>& image) {
+    Painter painter(working_->shared);
+    for (std::size_t first = 0; first < points.size();) {
+        const PixelIndex pixel{points[first].x, points[first].y};
+        std::size_t end = first + 1;
+        while (end < points.size() && points[end].x == pixel.x && points[end].y == pixel.y) ++end;
+        painter.paint_points(points.subspan(first, end - first), water_of_object, image[pixel]);
+        first = end;
+    }
+    working_->counts.add(painter.statistics());
+}
+
+WaterStatistics WaterPainter::statistics() const {
+    return working_->counts.sums();
+}
+
 WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& scene, const Geometry& geometry,
                             const ProjectedFaces& faces, const WaterOptions& options, Image<Rgb>& image) {
     const auto begin = std::chrono::steady_clock::now();
-    const FaceRays rays(scene, geometry);
-    const WaterLight light(scene, rays);
-    const Shared shared{scene, faces, options, light};
-    SharedCounts counts;
-    // Far pixels need other times than near ones: short runs share the work evenly.
-    constexpr std::size_t kPixelsPerRun = 128;
-    for (const WaterPixels& list : pixels) {
-        const auto all = list.pixels();
-        parallel_ranges(all.size(), kPixelsPerRun, [&](std::size_t first, std::size_t end) {
-            Painter painter(shared);
-            for (std::size_t i = first; i < end; ++i)
-                painter.paint(list, all[i], image[PixelIndex{all[i].x, all[i].y}]);
-            counts.add(painter.statistics());
-        });
-    }
-    WaterStatistics statistics = counts.sums();
+    WaterPainter painter(scene, geometry, faces, options);
+    for (const WaterPixels& list : pixels) painter.paint(list, image);
+    WaterStatistics statistics = painter.statistics();
     statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return statistics;
 }

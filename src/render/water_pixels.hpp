@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "keikan/image/image.hpp"
+#include "keikan/render/render_bands.hpp"
 #include "keikan/render/water_options.hpp"
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/scan/scan_band.hpp"
@@ -24,14 +26,17 @@ inline constexpr std::uint16_t kNoWater = 0xFFFF;
 /// The pixels whose water is still to be drawn, collected while bands are shaded.
 class WaterPixels {
   public:
-    explicit WaterPixels(std::vector<std::uint16_t> water_of_object)
-        : water_of_object_(std::move(water_of_object)) {}
+    /// `by_points`: water is drawn at WaterPoints that someone else lists, so nothing is collected.
+    explicit WaterPixels(std::vector<std::uint16_t> water_of_object, bool by_points = false)
+        : water_of_object_(std::move(water_of_object)), by_points_(by_points) {}
 
     std::uint16_t water_of(const SeenFace& face) const {
         return face.object < water_of_object_.size() ? water_of_object_[face.object] : kNoWater;
     }
     /// The pixel shows this water and nothing else.
-    void add_whole(int x, int y, std::uint16_t water) { pixels_.push_back({x, y, water, 0, 0}); }
+    void add_whole(int x, int y, std::uint16_t water) {
+        if (!by_points_) pixels_.push_back({x, y, water, 0, 0});
+    }
     /// The pixel is divided; at least one of the parts is water. All of its parts, because each may hide
     /// water.
     void add_divided(int x, int y, std::span<const SeenPart> parts, std::span<const SeenFace> faces);
@@ -55,6 +60,7 @@ class WaterPixels {
 
   private:
     std::vector<std::uint16_t> water_of_object_;
+    bool by_points_;
     std::vector<Pixel> pixels_;
     std::vector<Part> parts_;
 };
@@ -69,6 +75,32 @@ class WaterPixels {
 ///   of
 ///       threads. Random numbers are keyed by the pixel.
 ///   (2) The samples of a divided pixel lie in the region of the pixel that shows the water.
+class WaterPainter {
+  public:
+    /// Requires: all four outlive it.
+    WaterPainter(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
+                 const WaterOptions& options);
+    ~WaterPainter();
+
+    /// The pixels of a list, side by side.
+    void paint(const WaterPixels& list, Image<Rgb>& image);
+    /// Adds `weight` times the colour of the water at each point, slopes being random. On this thread; may be
+    /// called by several at once, for different pixels.
+    ///
+    /// Requires: points of a pixel stand together. Of objects that are not water (kNoWater) they are left
+    /// out.
+    void paint(std::span<const WaterPoint> points, std::span<const std::uint16_t> water_of_object,
+               Image<Rgb>& image);
+
+    /// What was counted so far; `seconds` is not.
+    WaterStatistics statistics() const;
+
+  private:
+    struct Working;
+    std::unique_ptr<Working> working_;
+};
+
+/// All of it at once.
 WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& scene, const Geometry& geometry,
                             const ProjectedFaces& faces, const WaterOptions& options, Image<Rgb>& image);
 

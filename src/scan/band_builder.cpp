@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "band_builder.hpp"
+#include "keikan/scan/band_builder.hpp"
 
 namespace keikan {
 
 void BandBuilder::begin(int first_row, int rows) {
     first_row_ = first_row;
     rows_ = rows;
+    if (const auto n = static_cast<std::size_t>(rows); spans_.size() < n) {
+        spans_.resize(n);
+        divided_.resize(n);
+    }
 }
 
 void BandBuilder::add_span(int row, int x_begin, int x_end, std::uint32_t face) {

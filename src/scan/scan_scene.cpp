@@ -5,11 +5,11 @@
 #include <chrono>
 #include <memory>
 
-#include "band_builder.hpp"
 #include "face_facts.hpp"
+#include "keikan/scan/band_builder.hpp"
+#include "keikan/scan/seen_face.hpp"
 #include "keikan/support/parallel.hpp"
 #include "pixel_division.hpp"
-#include "seen_face.hpp"
 #include "tile_bins.hpp"
 #include "tile_candidates.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "seen_face.hpp"
+#include "keikan/scan/seen_face.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -16,6 +16,8 @@ struct RenderOptions {
     WaterOptions water;                             ///< where the scene has water with a surface
     bool extra = false;                             ///< make all of ExtraImages
     std::function<void(int rows)> after_rows = {};  ///< told, from any thread, how many more rows are painted
+    /// Not shade_scan_file: shown every band, from the top, one at a time.
+    std::function<void(const ScanBand&)> after_band = {};
 };
 
 struct RenderedPicture {
@@ -25,6 +27,9 @@ struct RenderedPicture {
     double seconds_shade = 0;  ///< of render_scene: shading alone, summed over the bands
     WaterStatistics water;
 };
+
+/// A picture of this size, all black; with all of ExtraImages if `extra`.
+RenderedPicture empty_picture(ImageSize size, bool extra);
 
 /// The whole picture: scans the faces and shades each band as it comes.
 /// Paper: section 2, Fig. 1.

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "keikan/scan/scan_band.hpp"
-#include "tile_bins.hpp"
 
 namespace keikan {
 
-/// Puts a band together from what its tiles find. Each row is filled from the left to the right; the rows of
-/// a tile in any order. Faces are given by their position among the projected faces, and numbered anew within
-/// the band as they come.
+/// Puts a band together from what is found in its pixels. Each row is filled from the left to the right; the
+/// rows in any order. Faces are given by their position among the projected faces, and numbered anew within
+/// the band as they come. One object a thread.
 class BandBuilder {
   public:
     static constexpr std::uint32_t kBackground = Span::kBackground;
@@ -45,9 +43,9 @@ class BandBuilder {
     int first_row_ = 0, rows_ = 0;
     std::vector<std::uint32_t> band_index_;
     std::vector<std::uint32_t> seen_;
-    std::vector<SeenPart> parts_;  ///< in the order of arrival
-    std::array<std::vector<Span>, kTileSize> spans_;
-    std::array<std::vector<DividedPixel>, kTileSize> divided_;
+    std::vector<SeenPart> parts_;                     ///< in the order of arrival
+    std::vector<std::vector<Span>> spans_;            ///< of each row
+    std::vector<std::vector<DividedPixel>> divided_;  ///< of each row
 };
 
 }  // namespace keikan
