@@ -15,14 +15,21 @@ void finish_band(BandBuilder& builder, const FacesInView& view, ScanBand& band) 
     builder.finish(band);
 }
 
-void look_at_water(const Point& begin, double end_x, double weight, std::uint16_t object,
-                   std::vector<WaterPoint>& water, int width) {
-    const int y = static_cast<int>(begin.y);
-    const int first = static_cast<int>(begin.x);
-    const int last = std::min(static_cast<int>(std::ceil(end_x)) - 1, width - 1);
-    for (int x = first; x <= last; ++x) {
-        const double from = x == first ? begin.x - x : 0, to = x == last ? end_x - x : 1;
-        water.push_back({x, y, object, {(from + to) / 2, begin.y - y}, weight * (to - from)});
+void look_at_water(std::span<const Stretch> seen, double y, double weight, const FacesInView& view,
+                   std::vector<WaterPoint>& water) {
+    const int row = static_cast<int>(y);
+    for (std::size_t i = 0; i < seen.size();) {
+        Stretch s = seen[i++];
+        if (!view.is_water(s.face)) continue;
+        const std::uint16_t object = view.object(s.face);
+        for (; i < seen.size() && seen[i].begin == s.end && view.object(seen[i].face) == object; ++i)
+            s.end = seen[i].end;
+        const int first = static_cast<int>(s.begin);
+        const int last = std::min(static_cast<int>(std::ceil(s.end)) - 1, view.camera().size.width - 1);
+        for (int x = first; x <= last; ++x) {
+            const double from = x == first ? s.begin - x : 0, to = x == last ? s.end - x : 1;
+            water.push_back({x, row, object, {(from + to) / 2, y - row}, weight * (to - from)});
+        }
     }
 }
 

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <span>
 #include <vector>
 
 #include "keikan/baseline/faces_in_view.hpp"
 #include "keikan/scan/band_builder.hpp"
+#include "visible_stretches.hpp"
 
 namespace keikan::baseline {
 
 /// The band so far, into `band`, with what shading must know of its faces.
 void finish_band(BandBuilder& builder, const FacesInView& view, ScanBand& band);
 
-/// Looks at water in the middle of a stretch of the row y of pixels, once in each pixel that it reaches into;
-/// a whole pixel's stretch weighs `weight`.
-void look_at_water(const Point& begin, double end_x, double weight, std::uint16_t object,
-                   std::vector<WaterPoint>& water, int width);
+/// Looks at the water that is seen along the level line at `y` (image coordinates): in the middle of each
+/// stretch of one water object, once in each pixel that it reaches into. A whole pixel's stretch weighs
+/// `weight`.
+void look_at_water(std::span<const Stretch> seen, double y, double weight, const FacesInView& view,
+                   std::vector<WaterPoint>& water);
 
 }  // namespace keikan::baseline

@@ -91,11 +91,8 @@ class ExactEverywhere {
         asked_.clear();
         for (const std::uint32_t f : here) asked_.push_back(view_.faces()[f]);
         const PixelCoverage seen = visible_areas_(pixel, asked_, Nearness::ByDepth);
-        for (const VisiblePart& part : seen.parts) {
-            const std::uint32_t f = here[part.face];
-            if (view_.is_water(f))
-                water.push_back({pixel.x, pixel.y, view_.object(f), part.centroid, part.area});
-        }
+        for (const VisiblePart& part : seen.parts)
+            if (view_.is_water(here[part.face])) look_at(pixel, here[part.face], part, water);
         if (seen.parts.empty()) return builder_.add_span(row, pixel.x, pixel.x + 1, BandBuilder::kBackground);
         if (seen.parts.size() == 1 && seen.background <= kVisibleAreaError &&
             seen.parts[0].area >= 1 - kVisibleAreaError)
@@ -105,6 +102,22 @@ class ExactEverywhere {
         for (const VisiblePart& part : seen.parts)
             parts_.push_back({here[part.face], within(part.centroid.x), within(part.centroid.y), part.area});
         builder_.add_divided(row, pixel.x, Division::ExactAreas, parts_, seen.background);
+    }
+
+    /// One look at each water object in the pixel, in the middle of its parts.
+    void look_at(PixelIndex pixel, std::uint32_t face, const VisiblePart& part,
+                 std::vector<WaterPoint>& water) {
+        const std::uint16_t object = view_.object(face);
+        for (auto point = water.rbegin(); point != water.rend(); ++point) {
+            if (point->x != pixel.x || point->y != pixel.y) break;
+            if (point->object != object) continue;
+            const double share = part.area / (point->weight + part.area);
+            point->at.x += share * (part.centroid.x - point->at.x);
+            point->at.y += share * (part.centroid.y - point->at.y);
+            point->weight += part.area;
+            return;
+        }
+        water.push_back({pixel.x, pixel.y, object, part.centroid, part.area});
     }
 
     const FacesInView& view_;

@@ -73,10 +73,7 @@ class MultiScanning {
             const int in_row = k % lines_, row = k / lines_;
             const double y = (in_row + 0.5) / lines_;
             shares_.add(seen, y, 1);
-            for (const Stretch& s : seen)
-                if (view_.is_water(s.face))
-                    look_at_water({s.begin, rows.first + row + y}, s.end, 1.0 / lines_, view_.object(s.face),
-                                  water, width_);
+            look_at_water(seen, rows.first + row + y, 1.0 / lines_, view_, water);
             if (in_row + 1 == lines_) finish_row(row);
         });
         finish_band(builder_, view_, band);

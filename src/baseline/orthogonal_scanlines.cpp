@@ -84,11 +84,10 @@ class OrthogonalScanlines {
             if (s.begin > end_before) count_border(end_before, weight);
             count_border(s.begin, weight);
             end_before = s.end;
-            if (view_.is_water(s.face))
-                look_at_water({s.begin, std::min(y + height, std::nextafter(y + 1.0, 0.0))}, s.end, weight,
-                              view_.object(s.face), level_.water, width_);
         }
         count_border(end_before, weight);
+        // The lower border belongs to the row above here.
+        look_at_water(seen, std::min(y + height, std::nextafter(y + 1.0, 0.0)), weight, view_, level_.water);
     }
 
     void count_border(double x, double weight) {
