@@ -37,8 +37,8 @@ ExactAreas areas_by_boolean_sets(PixelIndex pixel, std::span<const FaceView> fac
 ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
 /// Proof by another method: convex splitting of point lists in rational arithmetic. Throws std::logic_error
-/// if the areas do not add up to 1 exactly. Cost: some 0.3 ms for a pixel of 7 faces; more where numbers are
-/// denormal.
+/// if the areas do not add up to 1 exactly. Cost: some 0.1 ms for a pixel of 7 faces; where
+/// numbers are denormal, and areas fractions of some ten thousand bits, 7 ms.
 ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
 /// The image point (x / w, y / w), w > 0.
