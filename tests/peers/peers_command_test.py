@@ -38,7 +38,10 @@ class PeersCommand(unittest.TestCase):
             lines = done.stdout.splitlines()
             names = ["splitting", "traversal", "published", "clipper", "geos", "boost-geometry", "cgal-inexact",
                      "cgal-exact", "sampling-16x16", "exec"]
-            self.assertEqual([line.split(" | ")[0].strip("| ") for line in lines[2:]], names)
+            told_names = [line.split(" | ")[0].strip("| ") for line in lines[2:]]
+            if "boost-geometry-1.81" in told_names:  # where its headers are (scripts/boost_1_81)
+                names.insert(names.index("boost-geometry") + 1, "boost-geometry-1.81")
+            self.assertEqual(told_names, names)
             told = json.loads(summary.read_text())
             self.assertEqual((told["verdict"], told["pixels"], told["oracle"]["quad"]), ("pass", 210, 210))
             self.assertLess(told["max_area_error"], 2e-15)

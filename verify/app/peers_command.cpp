@@ -90,9 +90,10 @@ NextCase cases_of_file(const std::string& file) {
 std::vector<Contestant> contestants(const PeersCommand& command) {
     const Watchdog watchdog{.seconds = command.limit_s};
     std::vector<Contestant> all;
-    for (const Peer& peer : {splitting(), traversal(), published(), clipper(), geos(), boost_geometry(),
-                             cgal_inexact(), cgal_exact(), sampling(command.samples)})
-        all.push_back(in_a_fork(peer, watchdog));
+    std::vector<Peer> peers = {splitting(), traversal(), published(), clipper(), geos(), boost_geometry()};
+    if (auto newer = boost_geometry_1_81()) peers.push_back(*std::move(newer));
+    for (Peer peer : {cgal_inexact(), cgal_exact(), sampling(command.samples)}) peers.push_back(peer);
+    for (const Peer& peer : peers) all.push_back(in_a_fork(peer, watchdog));
     // Ours have promised something, all but the paper's clipper to the letter.
     for (Contestant& c : all)
         if (c.name == "splitting" || c.name == "traversal") c.promised_error = crosscheck::area_bound;

@@ -39,17 +39,32 @@ struct BoostGeometry {
 
 }  // namespace
 
-Peer boost_geometry() {
+Peer peer_named(const std::string& name) {
     constexpr int kMajor = BOOST_VERSION / 100'000, kMinor = BOOST_VERSION / 100 % 1000;
     std::string version = "Boost.Geometry " + std::to_string(kMajor) + "." + std::to_string(kMinor);
-#ifndef BOOST_GEOMETRY_USE_RESCALING
+#ifdef BOOST_GEOMETRY_NO_ROBUSTNESS
     version += ", without rescaling";
 #endif
-    return {.name = "boost-geometry", .version = version, .start = []() -> Ask {
+    return {.name = name, .version = version, .start = []() -> Ask {
                 return [library = BoostGeometry()](const PreparedPixel& pixel, Answer& answer) mutable {
                     ask_by_repeated_differences(library, pixel, answer);
                 };
             }};
 }
+
+}  // namespace
+
+#ifdef KEIKAN_BOOST_1_81
+// Compiled a second time, against other headers, into a library that shows nothing but this function: the two
+// Boosts give their functions the same names.
+static_assert(BOOST_VERSION / 100 == 1081);
+[[gnu::visibility("default")]] std::optional<Peer> boost_geometry_1_81() {
+    return peer_named("boost-geometry-1.81");
+}
+#else
+Peer boost_geometry() {
+    return peer_named("boost-geometry");
+}
+#endif
 
 }  // namespace keikan::peers

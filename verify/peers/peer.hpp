@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Peer {
 
 /// boost::geometry::difference, one nearer polygon after the other.
 Peer boost_geometry();
+/// The same of Boost 1.81, where the build found its headers (scripts/boost_1_81).
+std::optional<Peer> boost_geometry_1_81();
 /// GEOSDifference (OverlayNG), one nearer polygon after the other.
 Peer geos();
 /// Clipper 6.4.2 on a grid of 2^-60 pixel: one ctDifference a polygon, all nearer ones as its clip.
