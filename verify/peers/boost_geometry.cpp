@@ -37,8 +37,6 @@ struct BoostGeometry {
     double area(const Region& region) const { return bg::area(region); }
 };
 
-}  // namespace
-
 Peer peer_named(const std::string& name) {
     constexpr int kMajor = BOOST_VERSION / 100'000, kMinor = BOOST_VERSION / 100 % 1000;
     std::string version = "Boost.Geometry " + std::to_string(kMajor) + "." + std::to_string(kMinor);
