@@ -21,6 +21,7 @@ void add_scan_command(CLI::App& app, const CommonOptions& common);
 void add_shade_command(CLI::App& app, const CommonOptions& common);
 void add_areas_command(CLI::App& app, const CommonOptions& common);
 void add_pixel_command(CLI::App& app, const CommonOptions& common);
+void add_compare_command(CLI::App& app, const CommonOptions& common);
 void add_clip_command(CLI::App& app);
 void add_info_command(CLI::App& app, const CommonOptions& common);
 

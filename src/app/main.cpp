@@ -7,7 +7,8 @@
 //   render   both at once                    render_command.cpp
 //
 // and beside it: areas (visible areas of single pixels), pixel (one pixel of a scene as such a question),
-// clip (one difference of two polygons), info (what is in a scene).
+// clip (one difference of two polygons), compare (methods against each other and exact truth), info (what is
+// in a scene).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -35,6 +36,7 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     keikan::add_shade_command(app, common);
     keikan::add_areas_command(app, common);
     keikan::add_pixel_command(app, common);
+    keikan::add_compare_command(app, common);
     keikan::add_clip_command(app);
     keikan::add_info_command(app, common);
     for (CLI::App* const command : app.get_subcommands({}))

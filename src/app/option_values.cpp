@@ -35,12 +35,12 @@ std::optional<ImageSize> picture_size(const std::string& text) {
     return ImageSize{width, height};
 }
 
-PixelIndex pixel_of(const std::string& text, ImageSize size) {
+PixelIndex pixel_of(const std::string& text, ImageSize size, const std::string& option) {
     const auto numbers = two_numbers(text, ',');
-    if (!numbers) throw InputError("--at: '" + text + "' is not X,Y, such as 412,77");
+    if (!numbers) throw InputError(option + ": '" + text + "' is not X,Y, such as 412,77");
     const auto [x, y] = *numbers;
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)
-        throw InputError("--at: pixel " + text + " is outside of the picture of " +
+        throw InputError(option + ": pixel " + text + " is outside of the picture of " +
                          std::to_string(size.width) + "x" + std::to_string(size.height));
     return {x, y};
 }

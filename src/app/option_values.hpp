@@ -14,7 +14,7 @@ namespace keikan {
 std::optional<ImageSize> picture_size(const std::string& text);
 
 /// "412,77" as a pixel of a picture of this size. Errors: InputError.
-PixelIndex pixel_of(const std::string& text, ImageSize size);
+PixelIndex pixel_of(const std::string& text, ImageSize size, const std::string& option = "--at");
 
 /// "outline" or "paper". Errors: InputError.
 Extraction extraction_of(const std::string& text);

@@ -71,10 +71,14 @@ Method method_of(const std::string& text) {
     return method;
 }
 
+std::string name_of(Method::Kind kind) {
+    const auto* const found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                           [&](const auto& known) { return known.second == kind; });
+    return std::string(found->first);
+}
+
 std::string name_of(const Method& method) {
-    std::string name;
-    for (const auto& [text, kind] : kKinds)
-        if (kind == method.kind) name = text;
+    const std::string name = name_of(method.kind);
     if (method.has_count()) return name + ":" + std::to_string(method.count);
     if (method.extraction) return name + (*method.extraction == Extraction::Paper ? ":paper" : ":outline");
     return name;

@@ -41,6 +41,8 @@ Method method_of(const std::string& text);
 
 /// The inverse.
 std::string name_of(const Method& method);
+/// Without the N.
+std::string name_of(Method::Kind kind);
 
 /// What else a comparison may ask for.
 struct MethodOptions {
