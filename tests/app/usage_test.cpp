@@ -21,7 +21,7 @@ void refused(const std::string& arguments, const std::string& part) {
 
 TEST_CASE("keikan: --help and --version answer on standard output, everywhere", "[app]") {
     CHECK(run_keikan("--version").out == "keikan 0.1.0\n");
-    for (const std::string command : {"", "render", "scan", "shade", "areas", "pixel", "info"}) {
+    for (const std::string command : {"", "render", "scan", "shade", "areas", "pixel", "compare", "info"}) {
         const Run run = run_keikan(command + " --help");
         CHECK(run.exit_code == 0);
         CHECK_THAT(run.out, Catch::Contains("--help"));
