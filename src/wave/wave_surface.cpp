@@ -2,45 +2,32 @@
 #include "keikan/wave/wave_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <numbers>
+#include <iterator>
 #include <string>
 #include <tuple>
 
 #include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
 #include "sine_of_turns.hpp"
+#include "trace_lanes.hpp"
 
 namespace keikan {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
-/// A wave's height and d height / d theta, or those of two.
-template <typename Real>
-struct Elevation {
-    Real height_m, by_theta_m;
-};
-
-/// The series at one phase. cos(n t) and sin(n t) by Chebyshev's recurrence: five terms lose two bits.
-template <typename Real>
-inline Elevation<Real> elevation(Real turns, const std::array<Real, kStokesOrders>& h) {
-    const SineCosine<Real> t = sine_of_turns(turns);
-    const Real c1 = t.cosine, s1 = t.sine, d = c1 + c1;
-    const Real c2 = d * c1 - 1, s2 = d * s1;
-    const Real c3 = d * c2 - c1, s3 = d * s2 - s1;
-    const Real c4 = d * c3 - c2, s4 = d * s3 - s2;
-    const Real c5 = d * c4 - c3, s5 = d * s4 - s3;
-    return {h[0] * c1 + h[1] * c2 + h[2] * c3 + h[3] * c4 + h[4] * c5,
-            -(h[0] * s1 + 2 * h[1] * s2 + 3 * h[2] * s3 + 4 * h[3] * s4 + 5 * h[4] * s5)};
-}
-
-TwoDoubles two(const double* from) {
-    TwoDoubles values;
-    std::memcpy(&values, from, sizeof values);
-    return values;
+/// The series as polynomials in the cosine: cos n theta = T_n(c), sin n theta = sin theta U_(n-1)(c).
+WaveSeries series_of(const std::array<double, kStokesOrders>& h, const WaveBounds& bounds) {
+    WaveSeries w;
+    const double heights[] = {-h[1] + h[3], h[0] - 3 * h[2] + 5 * h[4], 2 * h[1] - 8 * h[3], 4 * h[2] - 20 * h[4],
+                              8 * h[3], 16 * h[4]};
+    std::copy(std::begin(heights), std::end(heights), w.height);
+    // By theta: - sin theta d height / d c.
+    for (int n = 0; n < kStokesOrders; ++n) w.by_theta[n] = -(n + 1) * heights[n + 1];
+    w.crest_m = bounds.height_m;
+    w.second_m = bounds.second_m;
+    return w;
 }
 
 WaveBounds bounds_of(const std::array<double, kStokesOrders>& harmonic_m) {
@@ -75,14 +62,13 @@ WaveSurface::WaveSurface(std::span<const StokesWave> waves, int order, double de
     for (const StokesWave& wave : sorted) {
         const StokesSeries series = stokes_series(wave, order, depth_m);
         const double turns = (wave.phase_rad - series.angular_frequency * time_s) / kTurn;
-        std::array<double, kFields> fields{std::cos(wave.direction_rad) / wave.length_m,
-                                           std::sin(wave.direction_rad) / wave.length_m,
-                                           turns - std::floor(turns)};
-        std::copy(series.harmonic_m.begin(), series.harmonic_m.end(), fields.begin() + kHarmonics);
-        add_series(fields);
         length_m_.push_back(wave.length_m);
         amplitude_m_.push_back(wave.amplitude_m);
         bounds_.push_back(bounds_of(series.harmonic_m));
+        series_.push_back(series_of(series.harmonic_m, bounds_.back()));
+        series_.back().turns_x = std::cos(wave.direction_rad) / wave.length_m;
+        series_.back().turns_y = std::sin(wave.direction_rad) / wave.length_m;
+        series_.back().turns_0 = turns - std::floor(turns);
         // The mean of (sum of n k h_n sin n theta)^2.
         double variance = 0;
         for (std::size_t n = 0; n < series.harmonic_m.size(); ++n) {
@@ -101,10 +87,11 @@ void WaveSurface::set_shares(const WaveSurface& all, std::span<const double> sha
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double share = shares[i];
         if (!(share > 0)) continue;
-        std::array<double, kFields> fields;
-        for (std::size_t field = 0; field < kFields; ++field)
-            fields[field] = (field < kHarmonics ? 1 : share) * all.series(i, field);
-        add_series(fields);
+        WaveSeries& series = series_.emplace_back(all.series_[i]);
+        for (double& coefficient : series.height) coefficient *= share;
+        for (double& coefficient : series.by_theta) coefficient *= share;
+        series.crest_m *= share;
+        series.second_m *= share;
         length_m_.push_back(all.length_m_[i]);
         amplitude_m_.push_back(share * all.amplitude_m_[i]);
         const WaveBounds& b = all.bounds_[i];
@@ -122,46 +109,9 @@ void WaveSurface::sum_up() {
     slope_deviation_ = std::sqrt(variance);
 }
 
-void WaveSurface::add_series(const std::array<double, kFields>& fields) {
-    const std::size_t i = size();
-    if (i % kTogether == 0) series_.resize(series_.size() + kFields * kTogether, 0);
-    for (std::size_t field = 0; field < kFields; ++field) series_[place(i, field)] = fields[field];
-}
-
 WavePoint WaveSurface::point(double x, double y) const {
-    WavePoint sum;
-    for (std::size_t i = 0; i < size(); ++i) {
-        std::array<double, kStokesOrders> harmonics;
-        for (std::size_t n = 0; n < harmonics.size(); ++n) harmonics[n] = series(i, kHarmonics + n);
-        const auto e =
-            elevation(series(i, kTurnsX) * x + series(i, kTurnsY) * y + series(i, kTurns0), harmonics);
-        sum.height_m += e.height_m;
-        sum.slope.x += kTurn * series(i, kTurnsX) * e.by_theta_m;
-        sum.slope.y += kTurn * series(i, kTurnsY) * e.by_theta_m;
-    }
-    return sum;
-}
-
-void WaveSurface::along(double x, double y, glm::dvec2 speed, std::span<double> height_m,
-                        std::span<double> rate) const {
-    KEIKAN_DCHECK(height_m.size() * kFields >= series_.size() && rate.size() * kFields >= series_.size(),
-                  "no room for " << size() << " waves");
-    const double speed_x = kTurn * speed.x, speed_y = kTurn * speed.y;
-    const std::size_t fours = series_.size() / (kFields * kTogether);
-    for (std::size_t four = 0; four < fours; ++four) {
-        for (std::size_t half = 0; half < kTogether; half += 2) {
-            const double* const first = series_.data() + four * kFields * kTogether + half;
-            const auto field = [first](std::size_t f) { return two(first + f * kTogether); };
-            const TwoDoubles tx = field(kTurnsX), ty = field(kTurnsY);
-            const std::array<TwoDoubles, kStokesOrders> harmonics{
-                field(kHarmonics), field(kHarmonics + 1), field(kHarmonics + 2), field(kHarmonics + 3),
-                field(kHarmonics + 4)};
-            const auto e = elevation(tx * x + ty * y + field(kTurns0), harmonics);
-            const TwoDoubles change = (tx * speed_x + ty * speed_y) * e.by_theta_m;
-            std::memcpy(&height_m[four * kTogether + half], &e.height_m, sizeof change);
-            std::memcpy(&rate[four * kTogether + half], &change, sizeof change);
-        }
-    }
+    const lanes::Sums sums = lanes::sums_at(series_.data(), series_.size(), x, y);
+    return {sums.height, {sums.slope[0], sums.slope[1]}};
 }
 
 }  // namespace keikan

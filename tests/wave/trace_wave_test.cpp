@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "../../src/wave/trace_lanes.hpp"
 #include "keikan/wave/counter_random.hpp"
 #include "keikan/wave/wind_sea.hpp"
 
@@ -181,4 +182,44 @@ TEST_CASE("trace_wave: few steps are enough", "[wave][trace]") {
     CHECK(steep < 10);
     CHECK(low < 30);
     CHECK(grazing < 120);
+}
+
+TEST_CASE("trace_waves: many rays at once have the bits that each has by itself, with vectors of any width",
+          "[wave][trace][lanes]") {
+    WindSea sea;
+    sea.count = 30;
+    const WaveSurface water(wind_sea(sea));
+    CounterRandom random(11);
+    std::vector<WaveRay> rays;
+    for (int i = 0; i < 150; ++i) {
+        const Ray ray = random_ray(random, 1.5, i % 3 == 0 ? -0.02 : i % 3 == 1 ? 0.02 : 0.6);
+        rays.push_back({ray.origin, ray.direction, i % 5 == 0 ? 1 : 300.0});
+    }
+    std::vector<std::optional<WaveMeeting>> together(rays.size());
+    trace_waves(water, rays, together);
+    std::vector<lanes::Ray> plain;
+    for (const WaveRay& ray : rays)
+        plain.push_back({{ray.origin.x, ray.origin.y, ray.origin.z},
+                         {ray.direction.x, ray.direction.y, ray.direction.z},
+                         ray.t_max});
+    std::vector<lanes::Hit> narrow(rays.size());
+    lanes::trace_with_any_processor({water.series().data(), water.size(), water.crest_bound_m(), kTraceError,
+                                     plain.data(), plain.size(), narrow.data()});
+    int met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto alone = trace_wave(water, rays[i].origin, rays[i].direction, rays[i].t_max);
+        REQUIRE(together[i].has_value() == alone.has_value());
+        REQUIRE(together[i].has_value() == narrow[i].met);
+        if (!alone) continue;
+        ++met;
+        CHECK(together[i]->t == alone->t);
+        CHECK(together[i]->slope == alone->slope);
+        CHECK(together[i]->steps == alone->steps);
+        CHECK(narrow[i].t == alone->t);
+        CHECK(narrow[i].slope[0] == alone->slope.x);
+        const glm::dvec3 at = rays[i].origin + alone->t * rays[i].direction;
+        CHECK(glm::length(water.point(at.x, at.y).slope - alone->slope) < 1e-9);
+    }
+    CHECK(met > 50);
+    CHECK(met < 140);
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 
 #include "keikan/wave/wave_surface.hpp"
 
@@ -13,8 +14,16 @@ inline constexpr double kTraceError = 0x1p-28;
 
 /// Where a ray first meets the water.
 struct WaveMeeting {
-    double t = 0;   ///< the point is origin + t direction
-    int steps = 0;  ///< how often the waves were evaluated on the way
+    double t = 0;            ///< the point is origin + t direction
+    glm::dvec2 slope{0, 0};  ///< of the water there
+    int steps = 0;           ///< how often the waves were evaluated on the way
+};
+
+/// A ray, and how far it is followed.
+struct WaveRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    double t_max = 0;
 };
 
 /// The first t in [0, t_max] at which origin + t direction goes into the water; heights are above the mean
@@ -39,5 +48,13 @@ struct WaveMeeting {
 /// Paper:    section 4.1, "ray tracing".
 std::optional<WaveMeeting> trace_wave(const WaveSurface& water, const glm::dvec3& origin,
                                       const glm::dvec3& direction, double t_max);
+
+/// The same for many rays at once: meetings[i] is what trace_wave gives for rays[i], the same bits for any number of
+/// rays and on any processor. Rays share the vectors of the processor: a lane that is done takes the next ray.
+///
+/// Requires: rays and meetings of equal size; as trace_wave.
+/// Cost:     with AVX2, 8 rays in turns: 2.5 ns a wave and step; a call with one ray costs as much as one with 8.
+void trace_waves(const WaveSurface& water, std::span<const WaveRay> rays,
+                 std::span<std::optional<WaveMeeting>> meetings);
 
 }  // namespace keikan

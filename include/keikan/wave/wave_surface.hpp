@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "keikan/wave/stokes_wave.hpp"
+#include "keikan/wave/wave_series.hpp"
 
 namespace keikan {
 
@@ -40,8 +40,8 @@ struct WaveBounds {
 /// Error:    phases are rounded to 2^-53 of their size in turns: at 10 km from the origin, a wave 0.1 m long
 /// is
 ///           displaced by at most 2e-12 m. Sines are computed with + - * only, the same bits everywhere,
-///           within 1e-15. kWaveHeightError bounds all of it for sums of amplitudes up to 100 m.
-/// Cost:     about 25 ns a wave; no allocation but by set().
+///           within 2e-12. kWaveHeightError bounds all of it for sums of amplitudes up to 100 m.
+/// Cost:     about 15 ns a wave (trace_waves: 2 to 6); no allocation but by set_shares().
 /// Paper:    section 4.1.
 class WaveSurface {
   public:
@@ -60,7 +60,7 @@ class WaveSurface {
     double length_m(std::size_t i) const { return length_m_[i]; }
     double amplitude_m(std::size_t i) const { return amplitude_m_[i]; }
     glm::dvec2 direction(std::size_t i) const {  ///< unit vector
-        return {series(i, kTurnsX) * length_m_[i], series(i, kTurnsY) * length_m_[i]};
+        return {series_[i].turns_x * length_m_[i], series_[i].turns_y * length_m_[i]};
     }
     WaveBounds bounds(std::size_t i) const { return bounds_[i]; }
     /// Mean square slope of wave i along its direction.
@@ -71,28 +71,16 @@ class WaveSurface {
 
     WavePoint point(double x, double y) const;
 
-    /// Of each wave at (x, y): its height, and the rate at which that changes when (x, y) moves with `speed`.
-    /// Requires: spans at least size() long, rounded up to a multiple of kTogether; the rest is filled with
-    /// 0.
-    void along(double x, double y, glm::dvec2 speed, std::span<double> height_m,
-               std::span<double> rate) const;
+    /// What tracing reads, from the longest wave to the shortest.
+    std::span<const WaveSeries> series() const { return series_; }
 
     static constexpr std::size_t kMostWaves = 256;
-    static constexpr std::size_t kTogether = 4;  ///< waves that are worked on at once
 
   private:
-    // theta / 2 pi = turns_x x + turns_y y + turns_0, and the harmonics: of four waves, field after field.
-    enum Field : std::size_t { kTurnsX, kTurnsY, kTurns0, kHarmonics, kFields = kHarmonics + kStokesOrders };
-    static std::size_t place(std::size_t i, std::size_t field) {
-        return (i / kTogether * kFields + field) * kTogether + i % kTogether;
-    }
-    double series(std::size_t i, std::size_t field) const { return series_[place(i, field)]; }
-    /// Room for one more wave at the end; the rest of its four stay still.
-    void add_series(const std::array<double, kFields>& fields);
     void sum_up();
 
-    std::vector<double> series_;
     // One entry for each wave.
+    std::vector<WaveSeries> series_;
     std::vector<double> length_m_, amplitude_m_;
     std::vector<double> slope_variance_;
     std::vector<WaveBounds> bounds_;
