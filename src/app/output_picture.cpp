@@ -44,6 +44,8 @@ void write_picture(const OutputOptions& options, const Scene& scene, RenderedPic
         exr.channels["object_id"] = std::move(picture.extra.object_id);
         exr.channels["depth"] = std::move(picture.extra.depth);
         exr.channels["flags"] = std::move(picture.extra.flags);
+        exr.channels["water_samples"] = std::move(picture.extra.water_samples);
+        exr.metadata["water_samples"] = "taken for the pixel's water, 0: none is drawn by rays";
         exr.metadata["background"] = "fraction of the pixel that no face covers";
         exr.metadata["object_id"] =
             "1 + position of the object that the largest part belongs to, 0: background";

@@ -48,9 +48,11 @@ void write_statistics(const std::string& file, const std::string& command, Image
         own["most_samples"] = water->most_samples;
         own["histogram_by_powers_of_2"] = water->histogram;
         own["face_rays"] = water->face_rays;
+        own["wave_rays"] = water->wave_rays;
+        own["wave_steps"] = water->wave_steps;
         own["missed"] = water->missed;
         own["seconds"] = water->seconds;
-        own["rays_per_second"] = static_cast<double>(water->samples + water->face_rays) / water->seconds;
+        own["rays_per_second"] = static_cast<double>(water->wave_rays + water->face_rays) / water->seconds;
     }
     write_whole_file(file, json.dump(2) + "\n");
 }

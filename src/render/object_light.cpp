@@ -5,15 +5,6 @@
 
 namespace keikan {
 
-namespace {
-
-double luminance(Rgb c) {
-    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
-           0.0722 * static_cast<double>(c.b);
-}
-
-}  // namespace
-
 void add_object_light(const ScanBand& band, const Scene& scene, std::span<double> light) {
     const PointShader shader(scene);
     for (int row = 0; row < band.rows; ++row) {
@@ -25,7 +16,7 @@ void add_object_light(const ScanBand& band, const Scene& scene, std::span<double
             const SeenFace& seen = band.faces[span.face];
             const FaceShader face(shader, seen);
             for (int x = span.x_begin; x < span.x_end; ++x)
-                light[seen.object] += luminance(face.colour(x + 0.5, y + 0.5));
+                light[seen.object] += static_cast<double>(luminance(face.colour(x + 0.5, y + 0.5)));
         }
         for (std::uint32_t i = band.divided_begin[r]; i < band.divided_begin[r + 1]; ++i) {
             const DividedPixel& pixel = band.divided[i];
@@ -34,7 +25,7 @@ void add_object_light(const ScanBand& band, const Scene& scene, std::span<double
                 const SeenFace& seen = band.faces[part.face];
                 const double x = pixel.x + static_cast<double>(part.x),
                              at_y = y + static_cast<double>(part.y);
-                light[seen.object] += part.weight * luminance(FaceShader(shader, seen).colour(x, at_y));
+                light[seen.object] += part.weight * static_cast<double>(luminance(FaceShader(shader, seen).colour(x, at_y)));
             }
         }
     }

@@ -5,35 +5,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace keikan {
 
 namespace {
-
-Rgb mix(Rgb from, Rgb to, float share) {
-    return (1 - share) * from + share * to;
-}
-
-Rgb ramp_colour(const HeightSlopeRamp& ramp, float height_m) {
-    const auto& stops = ramp.stops;
-    if (height_m <= stops.front().height_m) return stops.front().colour;
-    for (std::size_t i = 1; i < stops.size(); ++i) {
-        const auto &low = stops[i - 1], &high = stops[i];
-        if (height_m < high.height_m)
-            return mix(low.colour, high.colour, (height_m - low.height_m) / (high.height_m - low.height_m));
-    }
-    return stops.back().colour;
-}
-
-/// How much of `steep` shows on a plane whose unit normal has this z, of either side.
-float steep_share(const HeightSlopeRamp& ramp, float normal_z) {
-    constexpr float kDegree = std::numbers::pi_v<float> / 180;
-    const float slope_deg = std::acos(std::min(std::abs(normal_z), 1.0f)) / kDegree;
-    if (slope_deg <= ramp.steep_from_deg) return 0;
-    if (slope_deg >= ramp.steep_full_deg) return 1;
-    return (slope_deg - ramp.steep_from_deg) / (ramp.steep_full_deg - ramp.steep_from_deg);
-}
 
 glm::vec3 vector_of(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
@@ -49,6 +24,7 @@ glm::vec3 unit_or_flat(const glm::vec3& n, const SeenFace& face) {
 
 PointShader::PointShader(const Scene& scene)
     : scene_(scene),
+      sky_(scene.background, scene.light),
       camera_(scene.camera),
       perspective_(camera_.kind == Camera::Kind::Perspective),
       forward_(camera_.forward),
@@ -72,20 +48,21 @@ double PointShader::height_m(double x, double y, double depth_m, const glm::vec3
 Rgb PointShader::hazed(Rgb colour, double depth_m, float ray_length) const {
     if (!(haze_per_m_ > 0)) return colour;
     const float ranges = static_cast<float>(depth_m * haze_per_m_) * (perspective_ ? ray_length : 1);
-    return mix(scene_.haze.colour, colour, std::exp(-ranges));
+    return mixed(scene_.haze.colour, colour, std::exp(-ranges));
 }
 
 Rgb PointShader::background_colour(double x, double y) const {
-    const glm::vec3 towards = ray(x, y);
-    const float rising = std::clamp(towards.z / std::sqrt(glm::dot(towards, towards)), 0.0f, 1.0f);
-    return mix(scene_.background.horizon, scene_.background.zenith, rising);
+    const glm::dvec3 towards(ray(x, y));
+    const double length = glm::length(towards);
+    const double pixel_rad = perspective_ ? 1 / (camera_.focal_px * length * length) : 0;
+    return sky_.colour_with_sun((1 / length) * towards, pixel_rad);
 }
 
 FaceShader::FaceShader(const PointShader& shader, const SeenFace& face)
     : all_(shader),
       face_(face),
       material_(shader.scene_.materials[face.material]),
-      steep_(material_.ramp ? steep_share(*material_.ramp, face.flat_normal[2]) : 0),
+      steep_(material_.ramp ? material_.ramp->steep_share(face.flat_normal[2]) : 0),
       bends_(face.normal[1] != std::array<float, 3>{} || face.normal[2] != std::array<float, 3>{}),
       normal_(bends_ ? glm::vec3(0) : unit_or_flat(vector_of(face.normal[0]), face)) {}
 
@@ -101,11 +78,11 @@ Rgb FaceShader::albedo(double x, double y, double depth_m, const glm::vec3& towa
     if (!material_.ramp) return material_.colour;
     const HeightSlopeRamp& ramp = *material_.ramp;
     if (steep_ >= 1) return ramp.steep;
-    const Rgb by_height = ramp_colour(ramp, static_cast<float>(all_.height_m(x, y, depth_m, towards)));
-    return steep_ > 0 ? mix(by_height, ramp.steep, steep_) : by_height;
+    const Rgb by_height = ramp.colour_at(static_cast<float>(all_.height_m(x, y, depth_m, towards)));
+    return steep_ > 0 ? mixed(by_height, ramp.steep, steep_) : by_height;
 }
 
-Rgb FaceShader::colour(double x, double y) const {
+Rgb FaceShader::colour(double x, double y, float sun_share) const {
     const Light& light = all_.scene_.light;
     const double depth_m = all_.depth(face_, x, y);
     const glm::vec3 n = unit_normal(x, y);
@@ -115,13 +92,14 @@ Rgb FaceShader::colour(double x, double y) const {
 
     const Rgb ambient = light.ground_ambient + (0.5f + 0.5f * n.z) * all_.sky_over_ground_;
     const float facing = glm::dot(n, all_.to_sun_);
-    if (facing <= 0) return all_.hazed(ambient * own, depth_m, ray_length);
-    Rgb colour = own * (ambient + (material_.diffuse * facing) * light.sun);
+    if (facing <= 0 || !(sun_share > 0)) return all_.hazed(ambient * own, depth_m, ray_length);
+    const Rgb sun = sun_share * light.sun;
+    Rgb colour = own * (ambient + (material_.diffuse * facing) * sun);
     if (material_.specular > 0) {
         const glm::vec3 mirrored = 2 * facing * n - all_.to_sun_;
         const float along = -glm::dot(mirrored, towards) / ray_length;
         if (along > 0)
-            colour = colour + (material_.specular * std::pow(along, material_.exponent)) * light.sun;
+            colour = colour + (material_.specular * std::pow(along, material_.exponent)) * sun;
     }
     return all_.hazed(colour, depth_m, ray_length);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "keikan/image/image.hpp"
 #include "keikan/scan/scan_band.hpp"
 #include "keikan/scene/scene.hpp"
+#include "keikan/scene/sky.hpp"
 
 namespace keikan {
 
@@ -39,6 +41,7 @@ class PointShader {
     Rgb hazed(Rgb colour, double depth_m, float ray_length) const;
 
     const Scene& scene_;
+    Sky sky_;
     Camera camera_;
     bool perspective_;
     glm::vec3 forward_;
@@ -53,8 +56,11 @@ class FaceShader {
   public:
     FaceShader(const PointShader& shader, const SeenFace& face);
 
-    /// The face's colour where it is seen at the image point (x, y).
-    Rgb colour(double x, double y) const;
+    /// The face's colour where it is seen at the image point (x, y), in this share of the sun.
+    Rgb colour(double x, double y, float sun_share = 1) const;
+
+    /// Whether the sun shines on the side that is seen at (x, y), unless something is before it.
+    bool faces_sun(double x, double y) const { return glm::dot(unit_normal(x, y), all_.to_sun_) > 0; }
 
   private:
     glm::vec3 unit_normal(double x, double y) const;

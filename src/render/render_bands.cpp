@@ -34,9 +34,12 @@ RenderedPicture render_bands(const Scene& scene, const Geometry& geometry, const
     const std::vector<std::uint16_t> water_of = water_of_objects(scene, geometry);
     std::optional<WaterPixels> water;
     std::optional<WaterPainter> painter;
+    std::optional<SceneRays> rays;
+    if (scene.light.shadows) rays.emplace(scene, geometry);
     if (options.water.mode != WaterMode::Flat && has_water_surfaces(scene)) {
         water.emplace(water_of, true);
-        painter.emplace(scene, geometry, faces, options.water);
+        if (!rays) rays.emplace(scene, geometry);
+        painter.emplace(scene, *rays, faces, options.water);
     }
     const auto bands = static_cast<std::size_t>((size.height + kBandRows - 1) / kBandRows);
     const auto threads = static_cast<std::size_t>(thread_count());
@@ -50,7 +53,7 @@ RenderedPicture render_bands(const Scene& scene, const Geometry& geometry, const
             bench.points.clear();
             bench.make({first, std::min(kBandRows, size.height - first)}, bench.band, bench.points);
             shade_band(bench.band, scene, picture.image, options.extra ? &picture.extra : nullptr,
-                       water ? &*water : nullptr);
+                       water ? &*water : nullptr, rays ? &*rays : nullptr);
             if (!painter) return;
             put_pixels_together(bench.points);
             painter->paint(bench.points, water_of, picture.image);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "keikan/render/scene_rays.hpp"
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
@@ -17,15 +18,16 @@ RenderedPicture empty_picture(ImageSize size, bool extra) {
     RenderedPicture picture;
     picture.image = Image<Rgb>(size);
     if (extra)
-        picture.extra = {Image<float>(size), Image<float>(size), Image<float>(size), Image<float>(size)};
+        picture.extra = {Image<float>(size), Image<float>(size), Image<float>(size), Image<float>(size),
+                         Image<float>(size)};
     return picture;
 }
 
 namespace {
 
 void paint(const ScanBand& band, const Scene& scene, const RenderOptions& options, RenderedPicture& picture,
-           WaterPixels* water) {
-    shade_band(band, scene, picture.image, options.extra ? &picture.extra : nullptr, water);
+           WaterPixels* water, const SceneRays* rays) {
+    shade_band(band, scene, picture.image, options.extra ? &picture.extra : nullptr, water, rays);
     if (options.after_rows) options.after_rows(band.rows);
 }
 
@@ -47,6 +49,10 @@ bool draws_water(const Scene& scene, const RenderOptions& options) {
     return options.water.mode != WaterMode::Flat && has_water_surfaces(scene);
 }
 
+bool needs_rays(const Scene& scene, const RenderOptions& options) {
+    return scene.light.shadows || draws_water(scene, options);
+}
+
 }  // namespace
 
 RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const RenderOptions& options) {
@@ -56,17 +62,19 @@ RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const
     const ProjectedFaces faces = project_faces(geometry, scene.camera);
     const double seconds_project = std::chrono::duration<double>(Clock::now() - started).count();
     std::optional<WaterPixels> water;
+    std::optional<SceneRays> rays;
+    if (needs_rays(scene, options)) rays.emplace(scene, geometry);
     if (draws_water(scene, options)) water.emplace(water_of_objects(scene, geometry));
     picture.scan = scan_faces(faces, geometry, scene.camera, options.scan, [&](const ScanBand& band) {
         const auto begin = Clock::now();
-        paint(band, scene, options, picture, water ? &*water : nullptr);
+        paint(band, scene, options, picture, water ? &*water : nullptr, rays ? &*rays : nullptr);
         if (options.after_band) options.after_band(band);
         picture.seconds_shade += std::chrono::duration<double>(Clock::now() - begin).count();
     });
     picture.scan.seconds_project += seconds_project;
     if (water)
-        picture.water =
-            paint_water(std::span(&*water, 1), scene, geometry, faces, options.water, picture.image);
+        picture.water = paint_water(std::span(&*water, 1), scene, *rays, faces, options.water, picture.image,
+                                    options.extra ? &picture.extra.water_samples : nullptr);
     return picture;
 }
 
@@ -75,17 +83,24 @@ RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& 
     const ScanFileReader scan(file);
     require_same_geometry(scan.header(), scene, file.string());
     RenderedPicture picture = empty_picture(scene.camera.size, options.extra);
-    if (!draws_water(scene, options)) {
+    if (!needs_rays(scene, options)) {
         parallel_for(scan.band_count(),
-                     [&](std::size_t i) { paint(scan.band(i), scene, options, picture, nullptr); });
+                     [&](std::size_t i) { paint(scan.band(i), scene, options, picture, nullptr, nullptr); });
         return picture;
     }
     const Geometry geometry = build_geometry(scene);
+    const SceneRays rays(scene, geometry);
+    if (!draws_water(scene, options)) {
+        parallel_for(scan.band_count(),
+                     [&](std::size_t i) { paint(scan.band(i), scene, options, picture, nullptr, &rays); });
+        return picture;
+    }
     const ProjectedFaces faces = project_faces(geometry, scene.camera);
     std::vector<WaterPixels> water(scan.band_count(), WaterPixels(water_of_objects(scene, geometry)));
     parallel_for(scan.band_count(),
-                 [&](std::size_t i) { paint(scan.band(i), scene, options, picture, &water[i]); });
-    picture.water = paint_water(water, scene, geometry, faces, options.water, picture.image);
+                 [&](std::size_t i) { paint(scan.band(i), scene, options, picture, &water[i], &rays); });
+    picture.water = paint_water(water, scene, rays, faces, options.water, picture.image,
+                                options.extra ? &picture.extra.water_samples : nullptr);
     return picture;
 }
 

@@ -6,62 +6,22 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "keikan/clip/visible_areas.hpp"
-#include "keikan/image/srgb.hpp"
+#include "keikan/render/scene_rays.hpp"
 #include "keikan/support/parallel.hpp"
-#include "keikan/water/face_rays.hpp"
-#include "keikan/water/water_light.hpp"
 #include "keikan/wave/counter_random.hpp"
-#include "keikan/wave/water_footprint.hpp"
+#include "sample_sums.hpp"
+#include "water_random.hpp"
 #include "water_region.hpp"
 
 namespace keikan {
 
 namespace {
 
-// What the random numbers of a pixel are for.
-constexpr std::uint32_t kPosition = 1, kSlope = 2, kSecondPosition = 3, kSecondSlope = 4;
-
-/// A wave is traced in full where its length is at least the footprint's extent along it, and is slopes alone
-/// where three of its lengths fit into it; in between, its amplitude fades, so that no line is drawn where it
-/// ends.
-constexpr double kTracedCycles = 1, kSlopeCycles = 3;
-
 /// The error of Sobol's points beside that of as many independent ones, which the variance of the samples
 /// tells: measured on riverside, 64 samples (docs/water.md).
 constexpr double kSobolGain = 0.65;
-
-double traced_share(double cycles) {
-    const double s = std::clamp((cycles - kTracedCycles) / (kSlopeCycles - kTracedCycles), 0.0, 1.0);
-    return 1 - s * s * (3 - 2 * s);
-}
-
-/// Sums of samples and of their squares, channel by channel.
-class SampleSums {
-  public:
-    void add(double r, double g, double b) {
-        const double values[] = {r, g, b};
-        for (int i = 0; i < 3; ++i) {
-            sum_[i] += values[i];
-            squares_[i] += values[i] * values[i];
-        }
-        ++count_;
-    }
-    void add(Rgb c) { add(static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)); }
-    std::size_t count() const { return count_; }
-    double mean(int i) const { return sum_[i] / static_cast<double>(count_); }
-    double variance(int i) const {
-        if (count_ < 2) return 0;
-        const double n = static_cast<double>(count_), m = mean(i);
-        return std::max(0.0, (squares_[i] - n * m * m) / (n - 1));
-    }
-
-  private:
-    double sum_[3] = {0, 0, 0}, squares_[3] = {0, 0, 0};
-    std::size_t count_ = 0;
-};
 
 /// By how many codes of 8 bits sRGB rises for each unit of linear light.
 double codes_per_light(double linear) {
@@ -70,8 +30,22 @@ double codes_per_light(double linear) {
     return 255 * 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
 }
 
-double code_of(float linear) {
-    return 255 * srgb_from_linear(std::clamp(static_cast<double>(linear), 0.0, 1.0));
+/// How many samples the pixel needs for this standard error, from those that it has; not more than four times as
+/// many, because few samples may mislead. No more than it has: enough.
+std::size_t samples_for(double wanted, const SampleSums& sums, double weight, Rgb base) {
+    const float bases[] = {base.r, base.g, base.b};
+    const auto count = static_cast<double>(sums.count());
+    double square = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double standard = kSobolGain * weight * std::sqrt(sums.variance(c) / count);
+        const double light = static_cast<double>(bases[c]) + weight * sums.mean(c);
+        const double codes = standard * codes_per_light(light - standard);
+        square += codes * codes / 3;
+    }
+    if (square <= wanted * wanted) return sums.count();
+    constexpr double kGrowth = 4, kTogether = 8;
+    const double needed = count * std::min(kGrowth, square / (wanted * wanted));
+    return static_cast<std::size_t>(std::ceil(needed / kTogether) * kTogether);
 }
 
 /// What all pixels have in common.
@@ -79,15 +53,19 @@ struct Shared {
     const Scene& scene;
     const ProjectedFaces& faces;
     const WaterOptions& options;
-    const WaterLight& light;
+    const SceneRays& rays;
 };
 
 /// Draws pixels, one after the other; owns the memory that this needs.
 class Painter {
   public:
-    explicit Painter(const Shared& shared) : shared_(shared), camera_(shared.scene.camera) {}
+    explicit Painter(const Shared& shared)
+        : shared_(shared),
+          sampler_(shared.rays, shared.options.filter && shared.options.mode != WaterMode::Paper,
+                   shared.options.seed) {}
 
-    void paint(const WaterPixels& all, const WaterPixels::Pixel& pixel, Rgb& colour) {
+    /// The samples that it took.
+    std::uint64_t paint(const WaterPixels& all, const WaterPixels::Pixel& pixel, Rgb& colour) {
         samples_of_pixel_ = 0;
         at_ = {pixel.x, pixel.y};
         ++statistics_.pixels;
@@ -98,40 +76,53 @@ class Painter {
             paint_divided(all.parts(pixel), colour);
         }
         count_samples(samples_of_pixel_);
+        return samples_of_pixel_;
     }
 
     /// Adds the water of one pixel's points, each by its weight.
     void paint_points(std::span<const WaterPoint> points, std::span<const std::uint16_t> water_of_object,
                       Rgb& colour) {
         at_ = {points[0].x, points[0].y};
-        region_.set_whole();
-        CounterRandom random(key(kSlope));
-        std::uint16_t resolved = kNoWater;
-        for (const WaterPoint& point : points) {
-            const std::uint16_t water = water_of_object[point.object];
-            if (water == kNoWater) continue;
-            if (water != resolved) {
-                water_ = &*shared_.scene.water[water];
-                resolve();
-                resolved = water;
+        CounterRandom random_slope(key(kSlopeNumbers)), random_sun(key(kSunNumbers));
+        bool any = false;
+        // Neighbours of one water at once.
+        for (std::size_t first = 0; first < points.size();) {
+            const std::uint16_t water = water_of_object[points[first].object];
+            clear_points();
+            std::size_t end = first;
+            for (; end < points.size() && water_of_object[points[end].object] == water; ++end) {
+                positions_.push_back(points[end].at);
+                slopes_.push_back(random_point(random_slope));
+                suns_.push_back(random_point(random_sun));
             }
-            const double u1 = random.uniform(), u2 = random.uniform();
-            SampleSums one;
-            sample(point.at, {u1, u2}, one);
-            const float weight = static_cast<float>(point.weight);
-            colour = colour + weight * Rgb{static_cast<float>(one.mean(0)), static_cast<float>(one.mean(1)),
-                                           static_cast<float>(one.mean(2))};
+            if (water != kNoWater) {
+                any = true;
+                sampler_.look_at(at_, water);
+                colours_.resize(positions_.size());
+                sampler_.colours(positions_, slopes_, suns_, colours_);
+                for (std::size_t i = first; i < end; ++i)
+                    colour = colour + static_cast<float>(points[i].weight) * colours_[i - first];
+            }
+            first = end;
         }
-        if (resolved == kNoWater) return;
+        if (!any) return;
         ++statistics_.pixels;
         count_samples(points.size());
     }
 
-    const WaterStatistics& statistics() const { return statistics_; }
+    WaterStatistics statistics() const {
+        WaterStatistics all = statistics_;
+        const WaterStatistics& seen = sampler_.statistics();
+        all.samples = seen.samples;
+        all.face_rays = seen.face_rays;
+        all.wave_rays = seen.wave_rays;
+        all.wave_steps = seen.wave_steps;
+        all.missed = seen.missed;
+        return all;
+    }
 
   private:
     void count_samples(std::uint64_t samples) {
-        statistics_.samples += samples;
         statistics_.most_samples = std::max(statistics_.most_samples, samples);
         const auto bin = static_cast<std::size_t>(std::bit_width(std::max<std::uint64_t>(samples, 1)) - 1);
         ++statistics_.histogram[std::min(bin, statistics_.histogram.size() - 1)];
@@ -191,8 +182,7 @@ class Painter {
     /// The mean colour of the water over the region; `weight` is its share of the pixel, whose other shares
     /// are `base`.
     Rgb water_colour(std::uint16_t number, double weight, Rgb base) {
-        water_ = &*shared_.scene.water[number];
-        resolve();
+        sampler_.look_at(at_, number);
         SampleSums sums;
         switch (shared_.options.mode) {
             case WaterMode::Variance:
@@ -208,117 +198,101 @@ class Painter {
                 break;
         }
         samples_of_pixel_ += sums.count();
-        return {static_cast<float>(sums.mean(0)), static_cast<float>(sums.mean(1)),
-                static_cast<float>(sums.mean(2))};
-    }
-
-    ViewRay ray(double x, double y) const {
-        const double u = (x - camera_.centre_x) / camera_.focal_px,
-                     v = (y - camera_.centre_y) / camera_.focal_px;
-        const glm::dvec3 off = u * camera_.right + v * camera_.down;
-        if (camera_.kind == Camera::Kind::Orthographic) return {camera_.position + off, camera_.forward};
-        return {camera_.position, camera_.forward + off};
-    }
-
-    /// The waves that this pixel traces, and the slopes of the others.
-    void resolve() {
-        const double x = at_.x, y = at_.y;
-        std::array<ViewRay, 4> corners{ray(x, y), ray(x + 1, y), ray(x + 1, y + 1), ray(x, y + 1)};
-        for (ViewRay& corner : corners) corner.origin.z -= water_->level_m;
-        footprint_ = water_footprint(corners, WaterLight::kFarthest_m);
-        const WaveSurface& waves = water_->waves;
-        const bool filters = shared_.options.filter && shared_.options.mode != WaterMode::Paper;
-        resolved_.unresolved = {water_->ripple_variance / 2, 0, water_->ripple_variance / 2};
-        shares_.assign(waves.size(), 1);
-        for (std::size_t i = 0; filters && i < waves.size(); ++i) {
-            const glm::dvec2 direction = waves.direction(i);
-            shares_[i] = traced_share(footprint_.extent_m(direction) / waves.length_m(i));
-            resolved_.unresolved.add(direction, (1 - shares_[i] * shares_[i]) * waves.slope_variance(i));
-        }
-        resolved_.waves.set_shares(waves, shares_);
-    }
-
-    void sample(Point position, Point slope, SampleSums& sums, SampleSums* codes = nullptr) {
-        const Point p = region_.at(position);
-        ViewRay view = ray(at_.x + p.x, at_.y + p.y);
-        view.direction = glm::normalize(view.direction);
-        const WaterSample seen = shared_.light.along(*water_, resolved_, view, {slope.x, slope.y});
-        statistics_.face_rays += seen.rays;
-        statistics_.missed += seen.missed ? 1 : 0;
-        sums.add(seen.colour);
-        if (codes != nullptr)
-            codes->add(code_of(seen.colour.r), code_of(seen.colour.g), code_of(seen.colour.b));
+        return sums.mean();
     }
 
     std::uint64_t key(std::uint32_t purpose) const {
         return random_key(at_.x, at_.y, purpose, shared_.options.seed);
     }
 
-    /// Doubles the samples until their standard error is small enough.
-    void sample_to_error(double weight, Rgb base, SampleSums& sums) {
-        const std::uint64_t position = key(kPosition), slope = key(kSlope);
-        const float bases[] = {base.r, base.g, base.b};
-        const auto most = static_cast<std::size_t>(shared_.options.most);
-        for (std::size_t wanted = static_cast<std::size_t>(shared_.options.least);; wanted *= 2) {
-            for (auto i = static_cast<std::uint32_t>(sums.count()); i < wanted; ++i)
-                sample(scrambled_sobol(i, position), shuffled_sobol(i, slope), sums);
-            double error = 0;
-            for (int c = 0; c < 3; ++c) {
-                const double standard =
-                    kSobolGain * weight * std::sqrt(sums.variance(c) / static_cast<double>(sums.count()));
-                const double light = static_cast<double>(bases[c]) + weight * sums.mean(c);
-                error = std::max(error, standard * codes_per_light(light - standard));
-            }
-            if (error <= shared_.options.error || 2 * wanted > most) break;
+    static Point random_point(CounterRandom& random) {
+        const double u1 = random.uniform(), u2 = random.uniform();
+        return {u1, u2};
+    }
+
+    void clear_points() {
+        positions_.clear();
+        slopes_.clear();
+        suns_.clear();
+    }
+
+    /// Takes the samples whose places in the unit square are in positions_, slopes_ and suns_.
+    void take(SampleSums& sums, SampleSums* codes = nullptr) {
+        for (Point& position : positions_) position = region_.at(position);
+        colours_.resize(positions_.size());
+        sampler_.colours(positions_, slopes_, suns_, colours_);
+        for (const Rgb c : colours_) {
+            sums.add(c);
+            if (codes != nullptr)
+                codes->add(code_of(static_cast<double>(c.r)), code_of(static_cast<double>(c.g)),
+                           code_of(static_cast<double>(c.b)));
         }
     }
 
-    void sample_points_of(Sampler sampler, std::size_t count, std::uint32_t position, std::uint32_t slope,
-                          SampleSums& sums, SampleSums* codes) {
-        sample_points(sampler, count, key(position), points_);
-        if (sampler == Sampler::Sobol) {
-            for (std::uint32_t i = 0; i < points_.size(); ++i)
-                sample(points_[i], shuffled_sobol(i, key(slope)), sums, codes);
-            return;
+    /// Samples [begin, end) of Sobol's points.
+    void take_sobol(std::size_t begin, std::size_t end, SampleSums& sums) {
+        const std::uint64_t position = key(kPositionNumbers), slope = key(kSlopeNumbers), sun = key(kSunNumbers);
+        clear_points();
+        for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+            positions_.push_back(scrambled_sobol(i, position));
+            slopes_.push_back(shuffled_sobol(i, slope));
+            suns_.push_back(shuffled_sobol(i, sun));
         }
-        CounterRandom random(key(slope));
-        for (const Point p : points_) {
-            const double u1 = random.uniform(), u2 = random.uniform();
-            sample(p, {u1, u2}, sums, codes);
+        take(sums);
+    }
+
+    /// Takes samples until their standard error is small enough.
+    void sample_to_error(double weight, Rgb base, SampleSums& sums) {
+        const WaterOptions& options = shared_.options;
+        const auto most = static_cast<std::size_t>(options.most);
+        std::size_t wanted = std::min(static_cast<std::size_t>(options.least), most);
+        while (wanted > sums.count()) {
+            take_sobol(sums.count(), wanted, sums);
+            wanted = std::min(most, samples_for(options.error, sums, weight, base));
         }
+    }
+
+    void sample_points_of(Sampler sampler, std::size_t count, bool second, SampleSums& sums, SampleSums* codes) {
+        sample_points(sampler, count, key(second ? kSecondPositionNumbers : kPositionNumbers), positions_);
+        slopes_.clear();
+        suns_.clear();
+        const std::uint64_t slope = key(second ? kSecondSlopeNumbers : kSlopeNumbers);
+        const std::uint64_t sun = key(second ? kSecondSunNumbers : kSunNumbers);
+        CounterRandom random_slope(slope), random_sun(sun);
+        for (std::uint32_t i = 0; i < positions_.size(); ++i) {
+            slopes_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, slope) : random_point(random_slope));
+            suns_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, sun) : random_point(random_sun));
+        }
+        take(sums, codes);
     }
 
     /// Paper 4.2 to 4.4.
     void sample_as_the_paper(SampleSums& sums) {
         SampleSums codes;
         const PaperSampleCounts& counts = shared_.options.paper;
-        const int first = paper_first_count(water_->waves, footprint_, counts);
-        sample_points_of(Sampler::Paper, static_cast<std::size_t>(first), kPosition, kSlope, sums, &codes);
+        const auto first = static_cast<std::size_t>(sampler_.paper_first_count(counts));
+        sample_points_of(Sampler::Paper, first, false, sums, &codes);
         const double largest = std::max({codes.variance(0), codes.variance(1), codes.variance(2)});
         const int second = paper_second_count(largest, counts);
         if (second > 0)
-            sample_points_of(Sampler::Paper, static_cast<std::size_t>(second), kSecondPosition, kSecondSlope,
-                             sums, &codes);
+            sample_points_of(Sampler::Paper, static_cast<std::size_t>(second), true, sums, &codes);
     }
 
     void sample_fixed(SampleSums& sums) {
-        sample_points_of(shared_.options.fixed_sampler, static_cast<std::size_t>(shared_.options.fixed),
-                         kPosition, kSlope, sums, nullptr);
+        sample_points_of(shared_.options.fixed_sampler, static_cast<std::size_t>(shared_.options.fixed), false,
+                         sums, nullptr);
     }
 
     const Shared& shared_;
-    const Camera& camera_;
+    WaterSampler sampler_;
     WaterStatistics statistics_;
     std::uint64_t samples_of_pixel_ = 0;
     PixelIndex at_;
-    const WaterSurface* water_ = nullptr;
-    WaterFootprint footprint_;
-    ResolvedWater resolved_;
     WaterRegion region_;
     VisibleAreas visible_areas_;
     std::vector<FaceView> asked_;
-    std::vector<double> shares_;
-    std::vector<Point> points_;
+    std::vector<Point> positions_, slopes_, suns_;
+    std::vector<Rgb> colours_;
 };
 
 /// Adds up what the threads counted: whole numbers, so that the order does not matter.
@@ -330,19 +304,28 @@ class SharedCounts {
         samples_ += s.samples;
         rays_ += s.face_rays;
         missed_ += s.missed;
+        wave_rays_ += s.wave_rays;
+        wave_steps_ += s.wave_steps;
         for (std::size_t i = 0; i < s.histogram.size(); ++i) histogram_[i] += s.histogram[i];
         std::uint64_t most = most_.load();
         while (most < s.most_samples && !most_.compare_exchange_weak(most, s.most_samples)) {
         }
     }
     WaterStatistics sums() const {
-        WaterStatistics s{pixels_, mixed_, samples_, most_, rays_, missed_, {}, 0};
+        WaterStatistics s{.pixels = pixels_,
+                          .mixed_pixels = mixed_,
+                          .samples = samples_,
+                          .most_samples = most_,
+                          .face_rays = rays_,
+                          .wave_rays = wave_rays_,
+                          .wave_steps = wave_steps_,
+                          .missed = missed_};
         for (std::size_t i = 0; i < s.histogram.size(); ++i) s.histogram[i] = histogram_[i];
         return s;
     }
 
   private:
-    std::atomic<std::uint64_t> pixels_{0}, mixed_{0}, samples_{0}, most_{0}, rays_{0}, missed_{0};
+    std::atomic<std::uint64_t> pixels_{0}, mixed_{0}, samples_{0}, most_{0}, rays_{0}, missed_{0}, wave_rays_{0}, wave_steps_{0};
     std::array<std::atomic<std::uint64_t>, 17> histogram_{};
 };
 
@@ -380,30 +363,29 @@ void WaterPixels::add_divided(int x, int y, std::span<const SeenPart> parts,
 
 /// What outlives a list of pixels.
 struct WaterPainter::Working {
-    Working(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
-            const WaterOptions& options)
-        : rays(scene, geometry), light(scene, rays), shared{scene, faces, options, light} {}
-
-    FaceRays rays;
-    WaterLight light;
     Shared shared;
     SharedCounts counts;
 };
 
-WaterPainter::WaterPainter(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
+WaterPainter::WaterPainter(const Scene& scene, const SceneRays& rays, const ProjectedFaces& faces,
                            const WaterOptions& options)
-    : working_(std::make_unique<Working>(scene, geometry, faces, options)) {}
+    : working_(new Working{{scene, faces, options, rays}, {}}) {}
 
 WaterPainter::~WaterPainter() = default;
 
-void WaterPainter::paint(const WaterPixels& list, Image<Rgb>& image) {
+void WaterPainter::paint(const WaterPixels& list, Image<Rgb>& image, Image<float>* counts) {
     // Far pixels need other times than near ones: short runs share the work evenly.
     constexpr std::size_t kPixelsPerRun = 128;
     const auto all = list.pixels();
     parallel_ranges(all.size(), kPixelsPerRun, [&](std::size_t first, std::size_t end) {
         Painter painter(working_->shared);
-        for (std::size_t i = first; i < end; ++i)
-            painter.paint(list, all[i], image[PixelIndex{all[i].x, all[i].y}]);
+        const auto& window = working_->shared.options.window;
+        for (std::size_t i = first; i < end; ++i) {
+            const PixelIndex at{all[i].x, all[i].y};
+            if (window && !window->holds(at)) continue;
+            const std::uint64_t samples = painter.paint(list, all[i], image[at]);
+            if (counts != nullptr) (*counts)[at] = static_cast<float>(samples);
+        }
         working_->counts.add(painter.statistics());
     });
 }
@@ -425,11 +407,12 @@ WaterStatistics WaterPainter::statistics() const {
     return working_->counts.sums();
 }
 
-WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& scene, const Geometry& geometry,
-                            const ProjectedFaces& faces, const WaterOptions& options, Image<Rgb>& image) {
+WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& scene, const SceneRays& rays,
+                            const ProjectedFaces& faces, const WaterOptions& options, Image<Rgb>& image,
+                            Image<float>* counts) {
     const auto begin = std::chrono::steady_clock::now();
-    WaterPainter painter(scene, geometry, faces, options);
-    for (const WaterPixels& list : pixels) painter.paint(list, image);
+    WaterPainter painter(scene, rays, faces, options);
+    for (const WaterPixels& list : pixels) painter.paint(list, image, counts);
     WaterStatistics statistics = painter.statistics();
     statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return statistics;

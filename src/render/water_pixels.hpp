@@ -8,6 +8,7 @@
 
 #include "keikan/image/image.hpp"
 #include "keikan/render/render_bands.hpp"
+#include "keikan/render/scene_rays.hpp"
 #include "keikan/render/water_options.hpp"
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/scan/scan_band.hpp"
@@ -78,12 +79,13 @@ class WaterPixels {
 class WaterPainter {
   public:
     /// Requires: all four outlive it.
-    WaterPainter(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
+    WaterPainter(const Scene& scene, const SceneRays& rays, const ProjectedFaces& faces,
                  const WaterOptions& options);
     ~WaterPainter();
 
-    /// The pixels of a list, side by side.
-    void paint(const WaterPixels& list, Image<Rgb>& image);
+    /// The pixels of a list, side by side; those outside of options.window are left alone. `counts`, where given,
+    /// holds each pixel's samples afterwards.
+    void paint(const WaterPixels& list, Image<Rgb>& image, Image<float>* counts = nullptr);
     /// Adds `weight` times the colour of the water at each point, slopes being random. On this thread; may be
     /// called by several at once, for different pixels.
     ///
@@ -101,7 +103,8 @@ class WaterPainter {
 };
 
 /// All of it at once.
-WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& scene, const Geometry& geometry,
-                            const ProjectedFaces& faces, const WaterOptions& options, Image<Rgb>& image);
+WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& scene, const SceneRays& rays,
+                            const ProjectedFaces& faces, const WaterOptions& options, Image<Rgb>& image,
+                            Image<float>* counts);
 
 }  // namespace keikan

@@ -65,6 +65,10 @@ std::string describe(const Scene& scene, const Geometry& geometry) {
     std::string text = fmt::format("scene      {}\n", scene.file.string()) + camera_text(scene.camera);
     text += fmt::format("sun        bearing {:.2f}, elevation {:.2f} degrees\n",
                         bearing_deg(scene.light.to_sun), elevation_deg(scene.light.to_sun));
+    text += fmt::format("sky        {}, {}, {}\n",
+                        scene.background.model == SkyModel::CieClear ? "CIE clear" : "gradient",
+                        scene.background.sun_disc ? "sun's disc seen" : "no sun's disc",
+                        scene.light.shadows ? "shadows of the sun's disc" : "no shadows");
     text += fmt::format("haze       {}\n", scene.haze.range_m > 0
                                                ? fmt::format("range {:g} m", scene.haze.range_m)
                                                : std::string("none"));

@@ -134,6 +134,7 @@ Light read_light(const JsonNode& node) {
         JsonObject sun(*node_of_sun);
         light.to_sun = to_sun(sun);
         light.sun = sun.colour_or("colour", light.sun);
+        light.shadows = sun.boolean_or("shadows", false);
         sun.no_other_keys();
     }
     light.sky_ambient = object.colour_or("sky_ambient", light.sky_ambient);
@@ -147,6 +148,14 @@ Background read_background(const JsonNode& node) {
     Background background;
     background.zenith = object.colour_or("zenith", background.zenith);
     background.horizon = object.colour_or("horizon", background.horizon);
+    if (const auto model = object.optional("model")) {
+        const std::string name = model->text();
+        if (name == "cie_clear")
+            background.model = SkyModel::CieClear;
+        else if (name != "gradient")
+            model->fail("must be \"gradient\" or \"cie_clear\"");
+    }
+    background.sun_disc = object.boolean_or("sun_disc", false);
     object.no_other_keys();
     return background;
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "keikan/scene/sky.hpp"
 #include "keikan/support/check.hpp"
 
 namespace keikan {
@@ -24,28 +25,11 @@ struct Triangle {
     std::uint32_t a, b, c;
 };
 
-Rgb mixed(Rgb from, Rgb to, float share) {
-    return (1 - share) * from + share * to;
-}
+/// Rays that Embree follows at once.
+constexpr std::size_t kPacket = 8;
 
-Rgb ramp_colour(const HeightSlopeRamp& ramp, float height_m) {
-    const auto& stops = ramp.stops;
-    if (height_m <= stops.front().height_m) return stops.front().colour;
-    for (std::size_t i = 1; i < stops.size(); ++i) {
-        const auto &low = stops[i - 1], &high = stops[i];
-        if (height_m < high.height_m)
-            return mixed(low.colour, high.colour, (height_m - low.height_m) / (high.height_m - low.height_m));
-    }
-    return stops.back().colour;
-}
-
-float steep_share(const HeightSlopeRamp& ramp, double normal_z) {
-    const double slope_deg = std::acos(std::min(std::abs(normal_z), 1.0)) * 180 / std::numbers::pi;
-    if (slope_deg <= static_cast<double>(ramp.steep_from_deg)) return 0;
-    if (slope_deg >= static_cast<double>(ramp.steep_full_deg)) return 1;
-    return (static_cast<float>(slope_deg) - ramp.steep_from_deg) /
-           (ramp.steep_full_deg - ramp.steep_from_deg);
-}
+/// What is farther away hides no light.
+constexpr double kFarthestLight_m = 2e5;
 
 }  // namespace
 
@@ -91,6 +75,40 @@ struct FaceRays::Hierarchy {
         face_of.push_back(std::move(faces));
         triangles.push_back(std::move(corners_of));
     }
+
+    template <typename Rays>  // RTCRay8 or RTCRay
+    void set(Rays& rays, std::size_t i, const FaceRay& ray) const {
+        const glm::dvec3 from = ray.origin - origin;
+        rays.org_x[i] = static_cast<float>(from.x);
+        rays.org_y[i] = static_cast<float>(from.y);
+        rays.org_z[i] = static_cast<float>(from.z);
+        rays.dir_x[i] = static_cast<float>(ray.direction.x);
+        rays.dir_y[i] = static_cast<float>(ray.direction.y);
+        rays.dir_z[i] = static_cast<float>(ray.direction.z);
+        rays.tnear[i] = static_cast<float>(kRayStart_m);
+        rays.tfar[i] = static_cast<float>(ray.farthest_m);
+        rays.mask[i] = 0xFFFFFFFFu;
+    }
+
+    FaceHit hit_of(unsigned geometry, unsigned primitive, float distance, float at_u, float at_v) const {
+        const Mesh& met = *mesh[geometry];
+        const Triangle corner = triangles[geometry][primitive];
+        FaceHit hit;
+        hit.distance_m = static_cast<double>(distance);
+        hit.material = met.face_material[face_of[geometry][primitive]];
+        const glm::dvec3 across = glm::cross(met.positions[corner.b] - met.positions[corner.a],
+                                             met.positions[corner.c] - met.positions[corner.a]);
+        const double area = glm::length(across);
+        if (area > 0) hit.flat_normal = across / area;
+        hit.normal = hit.flat_normal;
+        if (met.normals.empty()) return hit;
+        const auto normal = [&](std::uint32_t i) { return glm::dvec3(met.normals[i]); };
+        const double u = static_cast<double>(at_u), v = static_cast<double>(at_v);
+        const glm::dvec3 smooth = (1 - u - v) * normal(corner.a) + u * normal(corner.b) + v * normal(corner.c);
+        const double length = glm::length(smooth);
+        if (length > 0) hit.normal = smooth / length;
+        return hit;
+    }
 };
 
 FaceRays::FaceRays(const Scene& scene, const Geometry& geometry)
@@ -111,74 +129,75 @@ FaceRays::FaceRays(const Scene& scene, const Geometry& geometry)
 
 FaceRays::~FaceRays() = default;
 
-std::optional<FaceHit> FaceRays::first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
-                                           double farthest_m) const {
-    const Hierarchy& work = *hierarchy_;
-    const glm::dvec3 from = origin - work.origin;
+void FaceRays::first_hits(std::span<const FaceRay> rays, std::span<std::optional<FaceHit>> hits) const {
+    KEIKAN_CHECK(rays.size() == hits.size(), rays.size() << " rays, " << hits.size() << " hits");
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRayHit ray{};
-    ray.ray.org_x = static_cast<float>(from.x);
-    ray.ray.org_y = static_cast<float>(from.y);
-    ray.ray.org_z = static_cast<float>(from.z);
-    ray.ray.dir_x = static_cast<float>(direction.x);
-    ray.ray.dir_y = static_cast<float>(direction.y);
-    ray.ray.dir_z = static_cast<float>(direction.z);
-    ray.ray.tnear = static_cast<float>(kRayStart_m);
-    ray.ray.tfar = static_cast<float>(farthest_m);
-    ray.ray.mask = 0xFFFFFFFFu;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(work.scene, &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-
-    const Mesh& mesh = *work.mesh[ray.hit.geomID];
-    const Triangle corner = work.triangles[ray.hit.geomID][ray.hit.primID];
-    FaceHit hit;
-    hit.distance_m = static_cast<double>(ray.ray.tfar);
-    hit.material = mesh.face_material[work.face_of[ray.hit.geomID][ray.hit.primID]];
-    const glm::dvec3 across = glm::cross(mesh.positions[corner.b] - mesh.positions[corner.a],
-                                         mesh.positions[corner.c] - mesh.positions[corner.a]);
-    const double area = glm::length(across);
-    if (area > 0) hit.flat_normal = across / area;
-    hit.normal = hit.flat_normal;
-    if (!mesh.normals.empty()) {
-        const auto normal = [&](std::uint32_t i) { return glm::dvec3(mesh.normals[i]); };
-        const double u = static_cast<double>(ray.hit.u), v = static_cast<double>(ray.hit.v);
-        const glm::dvec3 smooth =
-            (1 - u - v) * normal(corner.a) + u * normal(corner.b) + v * normal(corner.c);
-        const double length = glm::length(smooth);
-        if (length > 0) hit.normal = smooth / length;
+    for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size() - begin);
+        RTCRayHit8 packet{};
+        alignas(32) int valid[kPacket];
+        for (std::size_t i = 0; i < kPacket; ++i) {
+            valid[i] = i < count ? -1 : 0;
+            packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+            if (i < count) hierarchy_->set(packet.ray, i, rays[begin + i]);
+        }
+        rtcIntersect8(valid, hierarchy_->scene, &context, &packet);
+        for (std::size_t i = 0; i < count; ++i) {
+            hits[begin + i].reset();
+            if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+                hits[begin + i] = hierarchy_->hit_of(packet.hit.geomID[i], packet.hit.primID[i], packet.ray.tfar[i],
+                                                     packet.hit.u[i], packet.hit.v[i]);
+        }
     }
+}
+
+std::optional<FaceHit> FaceRays::first_hit(const FaceRay& ray) const {
+    std::optional<FaceHit> hit;
+    first_hits(std::span(&ray, 1), std::span(&hit, 1));
     return hit;
 }
 
-bool FaceRays::any_hit(const glm::dvec3& origin, const glm::dvec3& direction, double farthest_m) const {
-    const glm::dvec3 from = origin - hierarchy_->origin;
+void FaceRays::any_hits(std::span<const FaceRay> rays, std::span<std::uint8_t> met) const {
+    KEIKAN_CHECK(rays.size() == met.size(), rays.size() << " rays, " << met.size() << " answers");
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(from.x);
-    ray.org_y = static_cast<float>(from.y);
-    ray.org_z = static_cast<float>(from.z);
-    ray.dir_x = static_cast<float>(direction.x);
-    ray.dir_y = static_cast<float>(direction.y);
-    ray.dir_z = static_cast<float>(direction.z);
-    ray.tnear = static_cast<float>(kRayStart_m);
-    ray.tfar = static_cast<float>(farthest_m);
-    ray.mask = 0xFFFFFFFFu;
-    rtcOccluded1(hierarchy_->scene, &context, &ray);
-    return ray.tfar < 0;
+    for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size() - begin);
+        RTCRay8 packet{};
+        alignas(32) int valid[kPacket];
+        for (std::size_t i = 0; i < kPacket; ++i) {
+            valid[i] = i < count ? -1 : 0;
+            if (i < count) hierarchy_->set(packet, i, rays[begin + i]);
+        }
+        rtcOccluded8(valid, hierarchy_->scene, &context, &packet);
+        for (std::size_t i = 0; i < count; ++i) met[begin + i] = packet.tfar[i] < 0 ? 1 : 0;
+    }
+}
+
+bool FaceRays::any_hit(const FaceRay& ray) const {
+    std::uint8_t met = 0;
+    any_hits(std::span(&ray, 1), std::span(&met, 1));
+    return met != 0;
+}
+
+FaceRay FaceRays::towards_light(const glm::dvec3& point, const glm::dvec3& flat_normal,
+                                const glm::dvec3& to_light) const {
+    // Vertices are rounded by 2^-24 of their distance from the camera, along each axis, and so is the ray's origin.
+    const double lift = kRayStart_m + 0x1p-22 * glm::length(point - hierarchy_->origin);
+    const double side = glm::dot(flat_normal, to_light) < 0 ? -1 : 1;
+    return {point + side * lift * flat_normal, to_light, kFarthestLight_m};
 }
 
 Rgb FaceRays::albedo(const FaceHit& hit, const glm::dvec3& point) const {
     const Material& material = scene_.materials[hit.material];
     if (!material.ramp) return material.colour;
-    return mixed(ramp_colour(*material.ramp, static_cast<float>(point.z)), material.ramp->steep,
-                 steep_share(*material.ramp, hit.flat_normal.z));
+    return mixed(material.ramp->colour_at(static_cast<float>(point.z)), material.ramp->steep,
+                 material.ramp->steep_share(static_cast<float>(hit.flat_normal.z)));
 }
 
-Rgb FaceRays::colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction) const {
+Rgb FaceRays::colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction,
+                     float sun_share) const {
     const Light& light = scene_.light;
     const Material& material = scene_.materials[hit.material];
     const double side = glm::dot(hit.flat_normal, direction) <= 0 ? 1 : -1;
@@ -187,20 +206,33 @@ Rgb FaceRays::colour(const FaceHit& hit, const glm::dvec3& point, const glm::dve
     const Rgb ambient = light.ground_ambient + static_cast<float>(0.5 + 0.5 * n.z) *
                                                    (light.sky_ambient + -1.0f * light.ground_ambient);
     const double facing = glm::dot(n, light.to_sun);
-    if (facing <= 0) return ambient * own;
-    Rgb colour = own * (ambient + (material.diffuse * static_cast<float>(facing)) * light.sun);
+    if (facing <= 0 || !(sun_share > 0)) return ambient * own;
+    const Rgb sun = sun_share * light.sun;
+    Rgb colour = own * (ambient + (material.diffuse * static_cast<float>(facing)) * sun);
     if (material.specular > 0) {
         const double along = -glm::dot(2 * facing * n - light.to_sun, direction);
         if (along > 0)
             colour = colour +
-                     (material.specular * std::pow(static_cast<float>(along), material.exponent)) * light.sun;
+                     (material.specular * std::pow(static_cast<float>(along), material.exponent)) * sun;
     }
     return colour;
 }
 
-Rgb sky_colour(const Background& background, const glm::dvec3& direction) {
-    return mixed(background.horizon, background.zenith,
-                 static_cast<float>(std::clamp(direction.z, 0.0, 1.0)));
+glm::dvec3 on_sun_disc(const glm::dvec3& to_sun, double u1, double u2) {
+    // Squares around the centre become circles: neighbours stay neighbours.
+    const double a = 2 * u1 - 1, b = 2 * u2 - 1;
+    double r = 0, phi = 0;
+    if (std::abs(a) > std::abs(b)) {
+        r = a;
+        phi = std::numbers::pi / 4 * (b / a);
+    } else if (b != 0) {
+        r = b;
+        phi = std::numbers::pi / 2 - std::numbers::pi / 4 * (a / b);
+    }
+    const glm::dvec3 aside = std::abs(to_sun.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 e1 = glm::normalize(glm::cross(aside, to_sun)), e2 = glm::cross(to_sun, e1);
+    const double reach = std::tan(kSunRadius_rad) * r;
+    return glm::normalize(to_sun + reach * std::cos(phi) * e1 + reach * std::sin(phi) * e2);
 }
 
 Rgb through_haze(const Haze& haze, Rgb colour, double distance_m) {

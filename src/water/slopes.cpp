@@ -30,7 +30,9 @@ double leaning(double limit, double u) {
 double inverse_leaning(double limit, double share) {
     const double wanted = share * leaning(limit, limit);
     double low = -kFarSigma - 1, high = std::min(limit, kFarSigma + 1);
-    double u = std::clamp(inverse_normal(std::clamp(share, 1e-15, 1 - 1e-15)), low, high);
+    // The mean is -distribution(limit) / leaning(limit, limit): shifted by it, a normal distribution is near.
+    double u = std::clamp(inverse_normal(std::clamp(share, 1e-15, 1 - 1e-15)) - distribution(limit) / leaning(limit, limit),
+                          low, high);
     // Newton, held between the bounds; where it leaves them, halves.
     for (int i = 0; i < 60; ++i) {
         const double off = leaning(limit, u) - wanted;
@@ -40,7 +42,7 @@ double inverse_leaning(double limit, double share) {
         if (!(next > low && next < high)) next = (low + high) / 2;
         const double moved = std::abs(next - u);
         u = next;
-        if (moved < 1e-9) break;  // a slope is off by less than 1e-9 of its standard deviation
+        if (moved < 1e-5) break;  // Newton's next step would be of the order of its square
     }
     return u;
 }

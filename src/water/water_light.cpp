@@ -6,15 +6,13 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "keikan/support/check.hpp"
 #include "keikan/water/fresnel.hpp"
-#include "keikan/wave/trace_wave.hpp"
+#include "water_body.hpp"
 
 namespace keikan {
 
 namespace {
-
-/// Light that is weaker than this share of what it adds to is not followed: an eighth of a code of 8 bits.
-constexpr double kFaint = 1.0 / 2048;
 
 /// A mirrored ray that rises this many standard deviations of the waves' slopes is taken to meet no other
 /// wave.
@@ -24,6 +22,8 @@ constexpr double kSteepRise = 3;
 /// this.
 constexpr double kLeastRise = 0.02;
 
+constexpr std::uint32_t kNoRay = 0xFFFFFFFFu;
+
 glm::dvec3 normal_of(glm::dvec2 slope) {
     return WavePoint{0, slope}.normal();
 }
@@ -32,149 +32,238 @@ glm::dvec3 mirror(const glm::dvec3& v, const glm::dvec3& n) {
     return 2 * glm::dot(v, n) * n - v;
 }
 
-float channel(Rgb colour, int i) {
-    return i == 0 ? colour.r : i == 1 ? colour.g : colour.b;
-}
-
 bool finite(Rgb colour) {
     return std::isfinite(colour.r) && std::isfinite(colour.g) && std::isfinite(colour.b);
 }
 
 }  // namespace
 
-WaterSample WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved, const ViewRay& ray,
-                              SlopeChoice choice) const {
-    WaterSample sample;
-    const glm::dvec3 below(0, 0, water.level_m);
-    const glm::dvec3 eye = ray.origin - below;  // heights are above the mean plane from here on
-    const double falling = std::max(-ray.direction.z, 1e-12);
-    const double to_plane = std::min(std::max(eye.z, 0.0) / falling, kFarthest_m);
-    double t = to_plane;
-    glm::dvec2 slope(0, 0);
-    glm::dvec3 on_wave = eye + t * ray.direction;
-    if (to_plane < kFarthest_m && !resolved.waves.empty()) {
-        // No farther than where the ray has left the troughs behind.
-        const double farthest = to_plane + (resolved.waves.crest_bound_m() + 1e-6) / falling;
-        const auto met = trace_wave(resolved.waves, eye, ray.direction, farthest);
-        sample.missed = !met;
-        if (met) {
-            t = met->t;
-            on_wave = eye + t * ray.direction;
-            slope = resolved.waves.point(on_wave.x, on_wave.y).slope;
-        }
-    }
-    const glm::dvec3 towards_viewer = -ray.direction;
-    const glm::dvec3 on_plane = eye + to_plane * ray.direction + below;
+/// One sample on its way; heights are above the mean plane.
+struct WaterLight::Way {
+    double t = 0;                             ///< to the water
+    glm::dvec2 slope{0, 0};                   ///< of the waves there
+    glm::dvec3 on_wave{}, on_plane{};         ///< where the view ray meets the waves; the mean plane (in the world)
+    glm::dvec3 towards_viewer{}, direction{};  ///< unit vectors; where the mirrored ray goes
+    double reflectance = 0;
+    float share = 1;         ///< what mirrors after the first leave of it
+    double sun_glitter = 0;  ///< of the sun, if it shines here
+    InWater in_water;
+    double sun_shares[2] = {1, 1};  ///< on the water; on the face that is mirrored: 0 in the shade
+    // Places in the lists of rays.
+    std::uint32_t mirror_ray = kNoRay, bed_ray = kNoRay, sun_ray = kNoRay, face_sun_ray = kNoRay;
+    std::uint16_t wave_rays = 0;
+    std::uint32_t steps = 0;
+    bool missed = false;
+};
 
-    const SeenSlopes slopes(resolved.unresolved, slope, towards_viewer);
-    const glm::dvec3 normal = normal_of(slopes.at(choice.u1, choice.u2));
-    const double cosine = std::clamp(glm::dot(normal, towards_viewer), 0.0, 1.0);
-    const double reflectance = fresnel_reflectance(cosine);
-    Rgb colour = static_cast<float>(reflectance) *
-                 mirrored(resolved, on_wave, on_plane, mirror(towards_viewer, normal), sample);
-    colour = colour + glitter(slopes, on_plane, towards_viewer, sample);
-    if (1 - reflectance > kFaint)
-        colour = colour + static_cast<float>((1 - reflectance) / (kWaterIndex * kWaterIndex)) *
-                              out_of_water(water, on_plane, normal, towards_viewer, sample);
-    sample.colour = through_haze(scene_.haze, colour, t);
-    if (!finite(sample.colour)) {
-        sample.missed = true;
-        sample.colour = scene_.background.horizon;
+WaterLight::Memory::Memory() = default;
+WaterLight::Memory::~Memory() = default;
+
+void WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
+                       std::span<WaterSample> samples, Memory& memory) const {
+    KEIKAN_CHECK(looks.size() == samples.size(), looks.size() << " looks, " << samples.size() << " samples");
+    memory.ways.assign(looks.size(), Way{});
+    meet_waves(water, resolved, looks, memory);
+    for (std::size_t i = 0; i < looks.size(); ++i) reflect(water, resolved, looks[i], memory.ways[i]);
+    mirror_between_waves(resolved, memory);
+    look_for_faces(memory);
+    look_for_sun(looks, memory);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const Way& way = memory.ways[i];
+        WaterSample& sample = samples[i];
+        Rgb colour = static_cast<float>(way.reflectance) * mirrored(way, memory) +
+                     static_cast<float>(way.sun_glitter * way.sun_shares[0]) * scene_.light.sun;
+        if (way.in_water.share > 0)
+            colour = colour + static_cast<float>(way.in_water.share) * out_of_water(water, way, memory);
+        const auto sent = [](std::uint32_t ray) { return ray != kNoRay ? 1 : 0; };
+        sample.face_rays = static_cast<std::uint16_t>(sent(way.mirror_ray) + sent(way.bed_ray) + sent(way.sun_ray) +
+                                                      sent(way.face_sun_ray));
+        sample.wave_rays = way.wave_rays;
+        sample.steps = way.steps;
+        sample.colour = through_haze(scene_.haze, colour, way.t);
+        sample.missed = way.missed || !finite(sample.colour);
+        if (!finite(sample.colour)) sample.colour = scene_.background.horizon;
     }
+}
+
+WaterSample WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved,
+                              const WaterLook& look) const {
+    Memory memory;
+    WaterSample sample;
+    along(water, resolved, std::span(&look, 1), std::span(&sample, 1), memory);
     return sample;
 }
 
-Rgb WaterLight::mirrored(const ResolvedWater& resolved, const glm::dvec3& on_wave, const glm::dvec3& on_plane,
-                         glm::dvec3 direction, WaterSample& sample) const {
+void WaterLight::meet_waves(const WaterSurface& water, const ResolvedWater& resolved,
+                            std::span<const WaterLook> looks, Memory& memory) const {
+    const glm::dvec3 below(0, 0, water.level_m);
+    memory.active.clear();
+    memory.wave_rays.clear();
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        Way& way = memory.ways[i];
+        const ViewRay& ray = looks[i].ray;
+        const glm::dvec3 eye = ray.origin - below;
+        const double falling = std::max(-ray.direction.z, 1e-12);
+        way.t = std::min(std::max(eye.z, 0.0) / falling, kFarthest_m);
+        way.towards_viewer = -ray.direction;
+        way.on_wave = eye + way.t * ray.direction;
+        way.on_plane = way.on_wave + below;
+        if (!(way.t < kFarthest_m) || resolved.waves.empty()) continue;
+        // No farther than where the ray has left the troughs behind.
+        const double farthest = way.t + (resolved.waves.crest_bound_m() + 1e-6) / falling;
+        memory.active.push_back(static_cast<std::uint32_t>(i));
+        memory.wave_rays.push_back({eye, ray.direction, farthest});
+    }
+    memory.meetings.resize(memory.wave_rays.size());
+    trace_waves(resolved.waves, memory.wave_rays, memory.meetings);
+    for (std::size_t i = 0; i < memory.active.size(); ++i) {
+        Way& way = memory.ways[memory.active[i]];
+        const auto& met = memory.meetings[i];
+        ++way.wave_rays;
+        way.missed = !met;
+        if (!met) continue;
+        way.t = met->t;
+        way.on_wave = memory.wave_rays[i].origin + met->t * memory.wave_rays[i].direction;
+        way.slope = met->slope;
+        way.steps += static_cast<std::uint32_t>(met->steps);
+    }
+}
+
+void WaterLight::reflect(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look,
+                         Way& way) const {
+    const SeenSlopes slopes(resolved.unresolved, way.slope, way.towards_viewer);
+    const glm::dvec3 normal = normal_of(slopes.at(look.slope.u1, look.slope.u2));
+    const double cosine = std::clamp(glm::dot(normal, way.towards_viewer), 0.0, 1.0);
+    way.reflectance = fresnel_reflectance(cosine);
+    way.direction = mirror(way.towards_viewer, normal);
+    way.sun_glitter = glitter(resolved.unresolved, way.slope, way.towards_viewer);
+    way.in_water = into_water(water, normal, way.towards_viewer, 1 - way.reflectance);
+}
+
+void WaterLight::mirror_between_waves(const ResolvedWater& resolved, Memory& memory) const {
     // From wave to wave; what is lost into the water at the further mirrors is the water's own light, which
     // is left out: it is dark beside what is mirrored there, at grazing angles.
-    float share = 1;
-    glm::dvec3 from = on_wave;
     const double steep = kSteepRise * resolved.waves.slope_deviation();
-    for (int bounce = 1; bounce < kBounces && !resolved.waves.empty(); ++bounce) {
-        if (direction.z > steep * std::hypot(direction.x, direction.y)) break;
-        // As far as the ray needs to rise above the crests, at least as steeply as kLeastRise.
-        const double reach = 2 * resolved.waves.crest_bound_m() / std::max(direction.z, kLeastRise);
-        const auto met = trace_wave(resolved.waves, from, direction, reach);
-        if (!met || met->t <= 0) break;
-        from = from + met->t * direction;
-        const glm::dvec3 normal = resolved.waves.point(from.x, from.y).normal();
-        const double cosine = -glm::dot(normal, direction);
-        if (!(cosine > 0)) break;
-        share *= static_cast<float>(fresnel_reflectance(std::min(cosine, 1.0)));
-        direction = mirror(-direction, normal);
+    memory.active.clear();
+    for (std::size_t i = 0; !resolved.waves.empty() && i < memory.ways.size(); ++i)
+        memory.active.push_back(static_cast<std::uint32_t>(i));
+    for (int bounce = 1; bounce < kBounces && !memory.active.empty(); ++bounce) {
+        std::erase_if(memory.active, [&](std::uint32_t i) {
+            const glm::dvec3& d = memory.ways[i].direction;
+            return d.z > 0 && d.z * d.z > steep * steep * (d.x * d.x + d.y * d.y);
+        });
+        memory.wave_rays.clear();
+        for (const std::uint32_t i : memory.active) {
+            Way& way = memory.ways[i];
+            // As far as the ray needs to rise above the crests, at least as steeply as kLeastRise.
+            const double reach =
+                (resolved.waves.crest_bound_m() - way.on_wave.z) / std::max(way.direction.z, kLeastRise);
+            memory.wave_rays.push_back({way.on_wave, way.direction, reach});
+            ++way.wave_rays;
+        }
+        memory.meetings.resize(memory.wave_rays.size());
+        trace_waves(resolved.waves, memory.wave_rays, memory.meetings);
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < memory.active.size(); ++k) {
+            Way& way = memory.ways[memory.active[k]];
+            const auto& met = memory.meetings[k];
+            if (!met || met->t <= 0) continue;
+            way.steps += static_cast<std::uint32_t>(met->steps);
+            way.on_wave += met->t * way.direction;
+            const glm::dvec3 normal = normal_of(met->slope);
+            const double cosine = -glm::dot(normal, way.direction);
+            if (!(cosine > 0)) continue;
+            way.share *= static_cast<float>(fresnel_reflectance(std::min(cosine, 1.0)));
+            way.direction = mirror(-way.direction, normal);
+            memory.active[kept++] = memory.active[k];
+        }
+        memory.active.resize(kept);
     }
-    if (direction.z < 0) direction.z = -direction.z;
-    ++sample.rays;
-    const auto hit = faces_.first_hit(on_plane, direction, kFarthest_m);
-    if (!hit) return share * sky_colour(scene_.background, direction);
-    const glm::dvec3 point = on_plane + hit->distance_m * direction;
-    return share * through_haze(scene_.haze, faces_.colour(*hit, point, direction), hit->distance_m);
+    for (Way& way : memory.ways) way.direction.z = std::abs(way.direction.z);
 }
 
-Rgb WaterLight::glitter(const SeenSlopes& slopes, const glm::dvec3& on_plane,
-                        const glm::dvec3& towards_viewer, WaterSample& sample) const {
+void WaterLight::look_for_faces(Memory& memory) const {
+    memory.face_rays.clear();
+    const auto add = [&](const FaceRay& ray) {
+        memory.face_rays.push_back(ray);
+        return static_cast<std::uint32_t>(memory.face_rays.size() - 1);
+    };
+    // Rays of one kind side by side: they go the same way.
+    for (Way& way : memory.ways) way.mirror_ray = add({way.on_plane, way.direction, kFarthest_m});
+    for (Way& way : memory.ways)
+        if (way.in_water.share > 0 && way.in_water.visible_m > FaceRays::kRayStart_m)
+            way.bed_ray = add({way.on_plane, way.in_water.down, std::min(way.in_water.visible_m, kFarthest_m)});
+    memory.hits.resize(memory.face_rays.size());
+    faces_.first_hits(memory.face_rays, memory.hits);
+}
+
+void WaterLight::look_for_sun(std::span<const WaterLook> looks, Memory& memory) const {
+    if (!(scene_.light.to_sun.z > 0)) return;
+    const bool shadows = scene_.light.shadows;
+    memory.light_rays.clear();
+    const auto add = [&](const FaceRay& ray) {
+        memory.light_rays.push_back(ray);
+        return static_cast<std::uint32_t>(memory.light_rays.size() - 1);
+    };
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        Way& way = memory.ways[i];
+        const glm::dvec3 to_sun =
+            shadows ? on_sun_disc(scene_.light.to_sun, looks[i].sun.u1, looks[i].sun.u2) : scene_.light.to_sun;
+        if (way.sun_glitter > kFaint || (shadows && way.in_water.share > kFaint))
+            way.sun_ray = add({way.on_plane, to_sun, kFarthest_m});
+        else
+            way.sun_glitter = 0;
+        const auto& hit = memory.hits[way.mirror_ray];
+        if (!shadows || !hit) continue;
+        const double side = glm::dot(hit->flat_normal, way.direction) <= 0 ? 1 : -1;
+        if (side * glm::dot(hit->normal, scene_.light.to_sun) <= 0) continue;
+        const glm::dvec3 point = way.on_plane + hit->distance_m * way.direction;
+        way.face_sun_ray = add(faces_.towards_light(point, side * hit->flat_normal, to_sun));
+    }
+    memory.hidden.resize(memory.light_rays.size());
+    faces_.any_hits(memory.light_rays, memory.hidden);
+    for (Way& way : memory.ways) {
+        if (way.sun_ray != kNoRay && memory.hidden[way.sun_ray] != 0) way.sun_shares[0] = 0;
+        if (way.face_sun_ray != kNoRay && memory.hidden[way.face_sun_ray] != 0) way.sun_shares[1] = 0;
+    }
+}
+
+double WaterLight::glitter(const SlopeCovariance& unresolved, glm::dvec2 slope,
+                           const glm::dvec3& towards_viewer) const {
     const glm::dvec3& sun = scene_.light.to_sun;
-    if (!(sun.z > 0)) return {};
+    if (!(sun.z > 0)) return 0;
     const glm::dvec3 sum = sun + towards_viewer;
-    if (!(sum.z > 0)) return {};
+    if (!(sum.z > 0)) return 0;
+    SlopeCovariance wide = unresolved;
+    // A uniform disc of radius r has the variance r^2 / 4 along each axis; a mirror turns by half the angle.
+    constexpr double kDisc = kSunRadius_rad * kSunRadius_rad / 16;
+    wide.xx += kDisc;
+    wide.yy += kDisc;
     const glm::dvec3 half = sum / glm::length(sum);
     const double cosine = glm::dot(half, towards_viewer);
-    const double density = slopes.density_by_projection({-half.x / half.z, -half.y / half.z});
-    const double strength = std::numbers::pi * fresnel_reflectance(std::min(cosine, 1.0)) * density /
-                            (4 * half.z * half.z * half.z * half.z);
-    if (!(strength > kFaint)) return {};
-    ++sample.rays;
-    if (faces_.any_hit(on_plane, sun, kFarthest_m)) return {};
-    return static_cast<float>(strength) * scene_.light.sun;
+    const double density =
+        SeenSlopes(wide, slope, towards_viewer).density_by_projection({-half.x / half.z, -half.y / half.z});
+    return std::numbers::pi * fresnel_reflectance(std::min(cosine, 1.0)) * density /
+           (4 * half.z * half.z * half.z * half.z);
 }
 
-Rgb WaterLight::out_of_water(const WaterSurface& water, const glm::dvec3& on_plane, const glm::dvec3& normal,
-                             const glm::dvec3& towards_viewer, WaterSample& sample) const {
-    const double cosine = std::clamp(glm::dot(normal, towards_viewer), 0.0, 1.0);
-    const double inside = refracted_cosine(cosine);
-    const glm::dvec3 down = -(1 / kWaterIndex) * towards_viewer + (cosine / kWaterIndex - inside) * normal;
-    const double mu_v = std::max(-down.z, 1e-3);
+Rgb WaterLight::mirrored(const Way& way, const Memory& memory) const {
+    const auto& hit = memory.hits[way.mirror_ray];
+    if (!hit) return way.share * sky_.colour(way.direction);
+    const glm::dvec3 point = way.on_plane + hit->distance_m * way.direction;
+    const Rgb lit = faces_.colour(*hit, point, way.direction, static_cast<float>(way.sun_shares[1]));
+    return way.share * through_haze(scene_.haze, lit, hit->distance_m);
+}
 
-    const Rgb a = water.absorption_per_m, b = water.scattering_per_m;
-    const double clearest = static_cast<double>(std::min({a.r + b.r, a.g + b.g, a.b + b.b}));
-    double way = water.depth_m / mu_v;
-    Rgb bed = water.bed;
-    // A bed is looked for as far as any of its light could be seen.
-    const double visible = clearest > 0 ? std::min(way, -std::log(kFaint) / clearest) : way;
-    if (visible > FaceRays::kRayStart_m) {
-        ++sample.rays;
-        if (const auto hit = faces_.first_hit(on_plane, down, std::min(visible, kFarthest_m))) {
-            way = hit->distance_m;
-            bed = faces_.albedo(*hit, on_plane + way * down);
-        }
-    }
-
+Rgb WaterLight::out_of_water(const WaterSurface& water, const Way& way, const Memory& memory) const {
     const Light& light = scene_.light;
-    const double sun_z = std::max(light.to_sun.z, 0.0);
-    const double mu_s = refracted_cosine(sun_z);
-    const double into = sun_z > 0 ? 1 - fresnel_reflectance(sun_z) : 0;
-    const double depth = way * mu_v;
-    float result[3];
-    for (int i = 0; i < 3; ++i) {
-        const double c = static_cast<double>(channel(a, i) + channel(b, i));
-        const double sun = static_cast<double>(channel(light.sun, i)) * into * sun_z;
-        const double sky = static_cast<double>(channel(light.sky_ambient, i));
-        double radiance = 0;
-        if (std::isfinite(way))
-            radiance = static_cast<double>(channel(bed, i)) * std::exp(-c * way) *
-                       (sun * std::exp(-c * depth / mu_s) + sky * std::exp(-c * depth));
-        if (c > 0) {
-            const auto scattered = [&](double irradiance, double mu) {
-                const double both = 1 + mu_v / mu;
-                return irradiance / mu * static_cast<double>(channel(b, i)) / 4 *
-                       (1 - std::exp(-c * way * both)) / (c * both);
-            };
-            radiance += scattered(sun, mu_s) + scattered(sky, 1);
-        }
-        result[i] = static_cast<float>(radiance);
+    Bed bed{water.depth_m / way.in_water.mu_v, water.bed};
+    if (way.bed_ray != kNoRay && memory.hits[way.bed_ray]) {
+        const FaceHit& hit = *memory.hits[way.bed_ray];
+        bed = {hit.distance_m, faces_.albedo(hit, way.on_plane + hit.distance_m * way.in_water.down)};
     }
-    return {result[0], result[1], result[2]};
+    return light_from_water(water, way.in_water, bed, static_cast<float>(way.sun_shares[0]) * light.sun,
+                            light.sky_ambient, light.to_sun.z);
 }
 
 }  // namespace keikan

@@ -36,7 +36,7 @@ RenderedPicture empty_picture(ImageSize size, bool extra);
 RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const RenderOptions& options = {});
 
 /// The same picture from a scan file, with the colours, materials and lights of `scene`. Faces are built only
-/// where water mirrors them.
+/// where water mirrors them or the sun's shadows are drawn.
 ///
 /// Property: (1) The same bits as render_scene with the options that the file was scanned with.
 /// Errors: InputError naming the file, where it was made from another geometry, camera or size than the

@@ -6,6 +6,7 @@
 
 namespace keikan {
 
+class SceneRays;
 class WaterPixels;
 
 /// Optional pictures beside the colours; empty images are not made.
@@ -14,6 +15,7 @@ struct ExtraImages {
     Image<float> object_id;   ///< 1 + object of the largest part, 0 for the background
     Image<float> depth;       ///< of the largest part at its centroid [m], 0 for the background
     Image<float> flags;       ///< 0 one face only, 1 divided by exact areas, 2 divided along the scanline
+    Image<float> water_samples;  ///< taken for the pixel's water; 0: none is drawn by rays
 };
 
 /// Colours the rows of `band` in `image` (linear light): Phong reflection at the centroid of each visible
@@ -31,6 +33,10 @@ struct ExtraImages {
 /// the slope angle of the face's plane. The background's colour goes from `horizon` (at and below the
 /// horizon) to `zenith` linearly in the sine of the view direction's elevation.
 ///
+/// With `rays`, where Light::shadows is set, `sun` is that share of it that is seen past other faces
+/// (SceneRays::sun_share): from 4 points of the face, spread over the pixel (over a square of the size of a divided
+/// pixel's part, around its centroid), and where these do not agree, from 32.
+///
 /// Pixels that hold water that is drawn by rays (Scene::water) are noted in `water`, and that water adds
 /// nothing here; without `water` it is flat colour.
 ///
@@ -43,6 +49,6 @@ struct ExtraImages {
 /// Errors: CheckFailure where a band refers to a material that the scene does not have.
 /// Paper:  section 2 (rendering), 3.1 step (6).
 void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, ExtraImages* extra = nullptr,
-                WaterPixels* water = nullptr);
+                WaterPixels* water = nullptr, const SceneRays* rays = nullptr);
 
 }  // namespace keikan

@@ -19,7 +19,17 @@ struct HeightSlopeRamp {
     Rgb steep{0.3f, 0.28f, 0.26f};  ///< bare rock
     float steep_from_deg = 35;      ///< blends from the height's colour ...
     float steep_full_deg = 50;      ///< ... to `steep`
+
+    /// Linear between the stops around it.
+    Rgb colour_at(float height_m) const;
+    /// How much of `steep` shows on a plane whose unit normal has this z, of either side: 0 to 1, linear in the
+    /// slope angle.
+    float steep_share(float normal_z) const;
 };
+
+inline Rgb mixed(Rgb from, Rgb to, float share) {
+    return (1 - share) * from + share * to;
+}
 
 /// Phong reflection in linear light: ambient * albedo + sun * (diffuse * albedo * cos + specular *
 /// cos^exponent).
@@ -36,12 +46,20 @@ struct Material {
 struct Light {
     glm::dvec3 to_sun{0, 0, 1};  ///< unit vector
     Rgb sun{1, 1, 1};
+    bool shadows = false;  ///< faces hide the sun's disc from one another
     Rgb sky_ambient{0.3f, 0.35f, 0.45f};     ///< on faces that look up; blends by the normal's z ...
     Rgb ground_ambient{0.12f, 0.11f, 0.1f};  ///< ... to this on faces that look down
 };
 
-/// The sky behind everything, a gradient over the elevation of the view direction.
+enum class SkyModel {
+    Gradient,  ///< over the elevation alone
+    CieClear,  ///< the CIE Standard Clear Sky around the sun
+};
+
+/// The sky behind everything (keikan/scene/sky.hpp).
 struct Background {
+    SkyModel model = SkyModel::Gradient;
+    bool sun_disc = false;  ///< the sun itself is seen
     Rgb zenith{0.2f, 0.38f, 0.75f};
     Rgb horizon{0.75f, 0.83f, 0.92f};
 };

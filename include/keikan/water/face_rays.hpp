@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "keikan/image/image.hpp"
 #include "keikan/scene/scene.hpp"
@@ -18,7 +20,14 @@ struct FaceHit {
     std::uint16_t material = 0;
 };
 
-/// All faces of a scene but those of water, in a hierarchy for single rays (Embree 3, robust: no ray slips
+/// A ray that looks for faces.
+struct FaceRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;  ///< unit vector
+    double farthest_m = 0;
+};
+
+/// All faces of a scene but those of water, in a hierarchy for rays (Embree 3, robust: no ray slips
 /// through the edge between two faces). May be asked from several threads at once.
 ///
 /// Requires: `scene` and `geometry` outlive it.
@@ -28,16 +37,21 @@ class FaceRays {
     FaceRays(const Scene& scene, const Geometry& geometry);
     ~FaceRays();
 
-    /// The first face that origin + t direction (unit vector) meets, at t in (kRayStart_m, farthest_m).
-    std::optional<FaceHit> first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
-                                     double farthest_m) const;
+    /// Of each ray the first face that origin + t direction meets, at t in (kRayStart_m, farthest_m).
+    /// hits[i] belongs to rays[i], and depends on nothing else. Requires: both of equal size.
+    void first_hits(std::span<const FaceRay> rays, std::span<std::optional<FaceHit>> hits) const;
+    std::optional<FaceHit> first_hit(const FaceRay& ray) const;
     /// Whether any face is met.
-    bool any_hit(const glm::dvec3& origin, const glm::dvec3& direction, double farthest_m) const;
+    bool any_hit(const FaceRay& ray) const;
+    /// Of each ray, whether any face is met. Requires: both of equal size.
+    void any_hits(std::span<const FaceRay> rays, std::span<std::uint8_t> met) const;
+
+    /// A ray from a face towards the light, which starts as far off the face as it may be displaced by rounding.
+    FaceRay towards_light(const glm::dvec3& point, const glm::dvec3& flat_normal, const glm::dvec3& to_light) const;
 
     /// Phong colour of a face at `point`, seen along the unit vector `direction`: the equations of
-    /// keikan/render/shade.hpp without haze. `sun` is the light that arrives there, of which the face may be
-    /// in the shade.
-    Rgb colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction) const;
+    /// keikan/render/shade.hpp without haze, with this share of the sun.
+    Rgb colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction, float sun_share = 1) const;
     /// The colour of the material there, without light on it.
     Rgb albedo(const FaceHit& hit, const glm::dvec3& point) const;
 
@@ -50,8 +64,9 @@ class FaceRays {
     std::unique_ptr<Hierarchy> hierarchy_;
 };
 
-/// The sky of the picture's background, seen along a unit vector; without the sun's disc.
-Rgb sky_colour(const Background& background, const glm::dvec3& direction);
+/// The direction of a point of the sun's disc, for a uniform point of the unit square: uniform on the disc
+/// (Shirley, Chiu 1997), kSunRadius_rad around `to_sun`.
+glm::dvec3 on_sun_disc(const glm::dvec3& to_sun, double u1, double u2);
 
 /// `colour` seen through `distance_m` of haze.
 Rgb through_haze(const Haze& haze, Rgb colour, double distance_m);

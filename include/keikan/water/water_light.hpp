@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
+#include "keikan/scene/sky.hpp"
 #include "keikan/scene/water.hpp"
 #include "keikan/water/face_rays.hpp"
 #include "keikan/water/slopes.hpp"
+#include "keikan/wave/trace_wave.hpp"
 #include "keikan/wave/water_footprint.hpp"
 
 namespace keikan {
@@ -15,17 +20,27 @@ struct ResolvedWater {
     SlopeCovariance unresolved;
 };
 
-/// Two uniform numbers, which choose a slope among the unresolved ones.
-struct SlopeChoice {
+/// Two uniform numbers, which choose one among many.
+struct Choice {
     double u1 = 0.5;
     double u2 = 0.5;
+};
+
+/// One sample: along which ray the viewer looks (unit direction), which of the unresolved slopes he meets, and from
+/// which point of its disc the sun shines.
+struct WaterLook {
+    ViewRay ray;
+    Choice slope;
+    Choice sun;
 };
 
 /// What one view ray saw.
 struct WaterSample {
     Rgb colour;
     bool missed = false;     ///< no water was met, or no finite colour: our mistake, counted
-    std::uint32_t rays = 0;  ///< that were sent into the hierarchy of faces
+    std::uint16_t face_rays = 0;  ///< that were sent into the hierarchy of faces
+    std::uint16_t wave_rays = 0;  ///< that were traced to the waves
+    std::uint32_t steps = 0;      ///< of those: how often all waves were evaluated
 };
 
 /// The light that comes from water along a view ray.
@@ -33,14 +48,15 @@ struct WaterSample {
 /// The ray is traced to the waves; there, with the slope of the waves and one of the unresolved slopes as
 /// they are seen (SeenSlopes), n its unit normal, v the direction to the viewer:
 ///   R          = fresnel_reflectance(n . v)
-///   reflected  = the face that the mirrored ray meets, through haze; or the sky. Where the mirrored ray
+///   reflected  = the face that the mirrored ray meets, through haze; or the Sky. Where the mirrored ray
 ///   meets waves
 ///                again, they reflect once more, up to kBounces times; one that still points down then is
 ///                turned up
 ///   glitter    = pi sun F(h . v) density_by_projection(slope of h) / (4 h.z^4), h the unit vector halfway
 ///   between v
-///                and the sun: the sun's reflection integrated over all unresolved slopes; in the shade of a
-///                face, 0
+///                and the sun: the sun's reflection integrated over all unresolved slopes, to whose covariance
+///                (kSunRadius_rad / 4)^2 in x and y is added for the width of the disc, so that still water
+///                mirrors the sun, too; in the shade of a face, 0
 ///   water      = (1 - R) / n_w^2 (bed T + single scattering), see below
 ///   colour     = R reflected + glitter + water, through the haze between the viewer and the water
 /// `sun` is a white, upright face's radiance, so pi sun is the irradiance of a plane across it.
@@ -56,16 +72,37 @@ struct WaterSample {
 /// Face rays start on the mean plane, where the view ray goes through it: as waves do not move the water's
 /// outline, a trough behind the shore must not see the shore from below.
 ///
-/// Property: (1) A function of the arguments alone.
+/// Where Light::shadows is set, a face that is mirrored is lit, and the water is lit, by the point of the sun's disc
+/// that the sample chose, if no face is before it; otherwise faces hide the sun from the glitter alone.
+///
+/// Property: (1) samples[i] is a function of water, resolved and looks[i] alone, the same bits however many
+///               looks there are and on any processor.
 /// Paper:    section 4.1.
 class WaterLight {
   public:
-    /// Requires: `scene` and `faces` outlive it.
-    WaterLight(const Scene& scene, const FaceRays& faces) : scene_(scene), faces_(faces) {}
+    struct Way;
+    /// What a call needs to keep; one for each thread, so that calls do not allocate.
+    struct Memory {
+        Memory();
+        ~Memory();
+        std::vector<Way> ways;
+        std::vector<std::uint32_t> active;
+        std::vector<WaveRay> wave_rays;
+        std::vector<std::optional<WaveMeeting>> meetings;
+        std::vector<FaceRay> face_rays, light_rays;
+        std::vector<std::optional<FaceHit>> hits;
+        std::vector<std::uint8_t> hidden;
+    };
 
-    /// Requires: a unit direction.
-    WaterSample along(const WaterSurface& water, const ResolvedWater& resolved, const ViewRay& ray,
-                      SlopeChoice choice) const;
+    /// Requires: `scene` and `faces` outlive it.
+    WaterLight(const Scene& scene, const FaceRays& faces)
+        : scene_(scene), sky_(scene.background, scene.light), faces_(faces) {}
+
+    /// Requires: unit directions; looks and samples of equal size.
+    void along(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
+               std::span<WaterSample> samples, Memory& memory) const;
+    /// One alone.
+    WaterSample along(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look) const;
 
     /// How often light may be mirrored from wave to wave before it leaves.
     static constexpr int kBounces = 3;
@@ -73,14 +110,18 @@ class WaterLight {
     static constexpr double kFarthest_m = 2e5;
 
   private:
-    Rgb mirrored(const ResolvedWater& resolved, const glm::dvec3& on_wave, const glm::dvec3& on_plane,
-                 glm::dvec3 direction, WaterSample& sample) const;
-    Rgb out_of_water(const WaterSurface& water, const glm::dvec3& on_plane, const glm::dvec3& normal,
-                     const glm::dvec3& towards_viewer, WaterSample& sample) const;
-    Rgb glitter(const SeenSlopes& slopes, const glm::dvec3& on_plane, const glm::dvec3& towards_viewer,
-                WaterSample& sample) const;
+    void meet_waves(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
+                    Memory& memory) const;
+    void reflect(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look, Way& way) const;
+    void mirror_between_waves(const ResolvedWater& resolved, Memory& memory) const;
+    void look_for_faces(Memory& memory) const;
+    void look_for_sun(std::span<const WaterLook> looks, Memory& memory) const;
+    double glitter(const SlopeCovariance& unresolved, glm::dvec2 slope, const glm::dvec3& towards_viewer) const;
+    Rgb mirrored(const Way& way, const Memory& memory) const;
+    Rgb out_of_water(const WaterSurface& water, const Way& way, const Memory& memory) const;
 
     const Scene& scene_;
+    Sky sky_;
     const FaceRays& faces_;
 };
 

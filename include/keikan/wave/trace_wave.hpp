@@ -53,7 +53,7 @@ std::optional<WaveMeeting> trace_wave(const WaveSurface& water, const glm::dvec3
 /// rays and on any processor. Rays share the vectors of the processor: a lane that is done takes the next ray.
 ///
 /// Requires: rays and meetings of equal size; as trace_wave.
-/// Cost:     with AVX2, 8 rays in turns: 2.5 ns a wave and step; a call with one ray costs as much as one with 8.
+/// Cost:     a call with one ray costs nearly as much as one with 4.
 void trace_waves(const WaveSurface& water, std::span<const WaveRay> rays,
                  std::span<std::optional<WaveMeeting>> meetings);
 
