@@ -25,7 +25,8 @@ Scene example_scene() {
     scene.light.sun = {1, 0.9f, 0.8f};
     scene.light.sky_ambient = {0.4f, 0.4f, 0.4f};
     scene.light.ground_ambient = {0.2f, 0.2f, 0.2f};
-    scene.background = {{0, 0, 1}, {1, 1, 1}};
+    scene.background.zenith = {0, 0, 1};
+    scene.background.horizon = {1, 1, 1};
     Material paint;
     paint.name = "paint";
     paint.colour = {0.5f, 0.25f, 0.125f};
@@ -215,7 +216,7 @@ TEST_CASE("shade_band: a divided pixel is the mean of its parts, in linear light
     band.divided_begin = {0, 1};
     band.parts = {{0, 0.5f, 0.5f, 0.25}, {1, 0.5f, 0.5f, 0.5}};
     Image<Rgb> image(scene.camera.size);
-    ExtraImages extra{Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8})};
+    ExtraImages extra{Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), {}};
     shade_band(band, scene, image, &extra);
     // Background straight ahead: the horizon, white.
     check_colour(image[kAhead], 0.25 + 0.25 * 0.45, 0.25 + 0.25 * 0.21,

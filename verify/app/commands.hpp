@@ -24,6 +24,7 @@ void add_scene_command(CLI::App& app, CommonOptions& common);
 void add_areas_command(CLI::App& app, CommonOptions& common);
 void add_fuzz_command(CLI::App& app, CommonOptions& common);
 void add_peers_command(CLI::App& app, CommonOptions& common);
+void add_water_command(CLI::App& app, CommonOptions& common);
 void add_convert_command(CLI::App& app);
 
 }  // namespace keikan

@@ -7,6 +7,7 @@
 //   fuzz     degenerate random pixels       fuzz_command.cpp
 //   truth    exact coverage as pictures      truth_command.cpp
 //   peers    the same pixels through others  peers_command.cpp
+//   water    water, many samples a pixel     water_command.cpp
 //   convert  pixel cases, WKT, GeoJSON, SVG convert_command.cpp
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -36,6 +37,7 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     keikan::add_fuzz_command(app, common);
     keikan::add_truth_command(app, common);
     keikan::add_peers_command(app, common);
+    keikan::add_water_command(app, common);
     keikan::add_convert_command(app);
 }
 
