@@ -25,7 +25,8 @@ void add_object_light(const ScanBand& band, const Scene& scene, std::span<double
                 const SeenFace& seen = band.faces[part.face];
                 const double x = pixel.x + static_cast<double>(part.x),
                              at_y = y + static_cast<double>(part.y);
-                light[seen.object] += part.weight * static_cast<double>(luminance(FaceShader(shader, seen).colour(x, at_y)));
+                light[seen.object] +=
+                    part.weight * static_cast<double>(luminance(FaceShader(shader, seen).colour(x, at_y)));
             }
         }
     }

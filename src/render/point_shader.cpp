@@ -98,8 +98,7 @@ Rgb FaceShader::colour(double x, double y, float sun_share) const {
     if (material_.specular > 0) {
         const glm::vec3 mirrored = 2 * facing * n - all_.to_sun_;
         const float along = -glm::dot(mirrored, towards) / ray_length;
-        if (along > 0)
-            colour = colour + (material_.specular * std::pow(along, material_.exponent)) * sun;
+        if (along > 0) colour = colour + (material_.specular * std::pow(along, material_.exponent)) * sun;
     }
     return all_.hazed(colour, depth_m, ray_length);
 }

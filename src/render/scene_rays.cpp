@@ -60,10 +60,12 @@ float SceneRays::sun_share(std::span<const glm::dvec3> points, const glm::dvec3&
         const std::size_t count = std::min(kTogether, points.size() - begin);
         for (std::size_t i = 0; i < count; ++i) {
             const Point u = shuffled_sobol(static_cast<std::uint32_t>(begin + i), key);
-            rays[i] = light_->faces.towards_light(points[begin + i], flat_normal, on_sun_disc(to_sun, u.x, u.y));
+            rays[i] =
+                light_->faces.towards_light(points[begin + i], flat_normal, on_sun_disc(to_sun, u.x, u.y));
         }
         light_->faces.any_hits(std::span(rays).first(count), std::span(hidden).first(count));
-        seen += static_cast<std::size_t>(std::count(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(count), 0));
+        seen += static_cast<std::size_t>(
+            std::count(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(count), 0));
     }
     return static_cast<float>(seen) / static_cast<float>(points.size());
 }
@@ -142,8 +144,9 @@ Rgb WaterSampler::mean(std::span<const Point> points) {
 
 void WaterSampler::colours(std::span<const Point> points, std::span<const Point> slopes,
                            std::span<const Point> suns, std::span<Rgb> colours) {
-    KEIKAN_CHECK(points.size() == slopes.size() && points.size() == suns.size() && points.size() == colours.size(),
-                 "points, slopes, suns and colours must be as many");
+    KEIKAN_CHECK(
+        points.size() == slopes.size() && points.size() == suns.size() && points.size() == colours.size(),
+        "points, slopes, suns and colours must be as many");
     Working& work = *working_;
     const Camera& camera = work.view.scene.camera;
     work.looks.resize(points.size());

@@ -37,7 +37,8 @@ class SunShade {
         : shader_(shader), camera_(camera), rays_(rays) {}
 
     /// Of the face, as it is seen in a square of this side around the image point (x, y).
-    float share(const SeenFace& face, const FaceShader& lit, PixelIndex pixel, double x, double y, double side) const {
+    float share(const SeenFace& face, const FaceShader& lit, PixelIndex pixel, double x, double y,
+                double side) const {
         if (rays_ == nullptr || !lit.faces_sun(x, y)) return 1;
         const std::uint64_t key = random_key(pixel.x, pixel.y, kShadowNumbers, face.id);
         std::array<glm::dvec3, kMost> points;
@@ -63,7 +64,13 @@ class RowPainter {
   public:
     RowPainter(const ScanBand& band, const PointShader& shader, const SunShade& shade, Image<Rgb>& image,
                ExtraImages* extra, WaterPixels* water, int y)
-        : band_(band), shader_(shader), shade_(shade), colours_(image.row(y)), extra_(extra), water_(water), y_(y) {}
+        : band_(band),
+          shader_(shader),
+          shade_(shade),
+          colours_(image.row(y)),
+          extra_(extra),
+          water_(water),
+          y_(y) {}
 
     void paint(const Span& span) {
         const bool empty = span.face == Span::kBackground;

@@ -30,8 +30,8 @@ double codes_per_light(double linear) {
     return 255 * 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
 }
 
-/// How many samples the pixel needs for this standard error, from those that it has; not more than four times as
-/// many, because few samples may mislead. No more than it has: enough.
+/// How many samples the pixel needs for this standard error, from those that it has; not more than four times
+/// as many, because few samples may mislead. No more than it has: enough.
 std::size_t samples_for(double wanted, const SampleSums& sums, double weight, Rgb base) {
     const float bases[] = {base.r, base.g, base.b};
     const auto count = static_cast<double>(sums.count());
@@ -43,7 +43,7 @@ std::size_t samples_for(double wanted, const SampleSums& sums, double weight, Rg
         square += codes * codes / 3;
     }
     if (square <= wanted * wanted) return sums.count();
-    constexpr double kGrowth = 4, kTogether = 8;
+    constexpr double kGrowth = 4, kTogether = 16;  // Sobol's points are best in whole blocks
     const double needed = count * std::min(kGrowth, square / (wanted * wanted));
     return static_cast<std::size_t>(std::ceil(needed / kTogether) * kTogether);
 }
@@ -231,7 +231,8 @@ class Painter {
 
     /// Samples [begin, end) of Sobol's points.
     void take_sobol(std::size_t begin, std::size_t end, SampleSums& sums) {
-        const std::uint64_t position = key(kPositionNumbers), slope = key(kSlopeNumbers), sun = key(kSunNumbers);
+        const std::uint64_t position = key(kPositionNumbers), slope = key(kSlopeNumbers),
+                            sun = key(kSunNumbers);
         clear_points();
         for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
             positions_.push_back(scrambled_sobol(i, position));
@@ -252,7 +253,8 @@ class Painter {
         }
     }
 
-    void sample_points_of(Sampler sampler, std::size_t count, bool second, SampleSums& sums, SampleSums* codes) {
+    void sample_points_of(Sampler sampler, std::size_t count, bool second, SampleSums& sums,
+                          SampleSums* codes) {
         sample_points(sampler, count, key(second ? kSecondPositionNumbers : kPositionNumbers), positions_);
         slopes_.clear();
         suns_.clear();
@@ -260,7 +262,8 @@ class Painter {
         const std::uint64_t sun = key(second ? kSecondSunNumbers : kSunNumbers);
         CounterRandom random_slope(slope), random_sun(sun);
         for (std::uint32_t i = 0; i < positions_.size(); ++i) {
-            slopes_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, slope) : random_point(random_slope));
+            slopes_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, slope)
+                                                        : random_point(random_slope));
             suns_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, sun) : random_point(random_sun));
         }
         take(sums, codes);
@@ -279,8 +282,8 @@ class Painter {
     }
 
     void sample_fixed(SampleSums& sums) {
-        sample_points_of(shared_.options.fixed_sampler, static_cast<std::size_t>(shared_.options.fixed), false,
-                         sums, nullptr);
+        sample_points_of(shared_.options.fixed_sampler, static_cast<std::size_t>(shared_.options.fixed),
+                         false, sums, nullptr);
     }
 
     const Shared& shared_;
@@ -325,7 +328,8 @@ class SharedCounts {
     }
 
   private:
-    std::atomic<std::uint64_t> pixels_{0}, mixed_{0}, samples_{0}, most_{0}, rays_{0}, missed_{0}, wave_rays_{0}, wave_steps_{0};
+    std::atomic<std::uint64_t> pixels_{0}, mixed_{0}, samples_{0}, most_{0}, rays_{0}, missed_{0},
+        wave_rays_{0}, wave_steps_{0};
     std::array<std::atomic<std::uint64_t>, 17> histogram_{};
 };
 

@@ -83,8 +83,8 @@ class WaterPainter {
                  const WaterOptions& options);
     ~WaterPainter();
 
-    /// The pixels of a list, side by side; those outside of options.window are left alone. `counts`, where given,
-    /// holds each pixel's samples afterwards.
+    /// The pixels of a list, side by side; those outside of options.window are left alone. `counts`, where
+    /// given, holds each pixel's samples afterwards.
     void paint(const WaterPixels& list, Image<Rgb>& image, Image<float>* counts = nullptr);
     /// Adds `weight` times the colour of the water at each point, slopes being random. On this thread; may be
     /// called by several at once, for different pixels.

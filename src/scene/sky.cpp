@@ -22,10 +22,11 @@ double towards_horizon(double cos_z) {
 
 constexpr double kAtZenith = 0.27385;  ///< 1 - exp(-0.32), as the standard prints it
 
-/// The share of a disc of radius r, in front of everything, that a round pixel sees whose centre is `away` from the
-/// disc's: 1 inside, 0 outside, linear across the rim.
+/// The share of a disc of radius r, in front of everything, that a round pixel sees whose centre is `away`
+/// from the disc's: 1 inside, 0 outside, linear across the rim.
 double disc_share(double away, double radius, double pixel) {
-    return std::clamp((radius - away) / pixel + 0.5, 0.0, 1.0) * std::min(1.0, 4 * radius * radius / (pixel * pixel));
+    return std::clamp((radius - away) / pixel + 0.5, 0.0, 1.0) *
+           std::min(1.0, 4 * radius * radius / (pixel * pixel));
 }
 
 }  // namespace
@@ -48,7 +49,8 @@ Rgb Sky::colour(const glm::dvec3& direction) const {
     if (background_.model == SkyModel::Gradient) return gradient;
     const float own = luminance(gradient);
     if (!(own > 0)) return {};
-    const double wanted = towards_sun(glm::dot(direction, to_sun_)) * towards_horizon(direction.z) * per_zenith_luminance_;
+    const double wanted =
+        towards_sun(glm::dot(direction, to_sun_)) * towards_horizon(direction.z) * per_zenith_luminance_;
     return (static_cast<float>(wanted) / own) * gradient;
 }
 

@@ -104,7 +104,8 @@ struct FaceRays::Hierarchy {
         if (met.normals.empty()) return hit;
         const auto normal = [&](std::uint32_t i) { return glm::dvec3(met.normals[i]); };
         const double u = static_cast<double>(at_u), v = static_cast<double>(at_v);
-        const glm::dvec3 smooth = (1 - u - v) * normal(corner.a) + u * normal(corner.b) + v * normal(corner.c);
+        const glm::dvec3 smooth =
+            (1 - u - v) * normal(corner.a) + u * normal(corner.b) + v * normal(corner.c);
         const double length = glm::length(smooth);
         if (length > 0) hit.normal = smooth / length;
         return hit;
@@ -146,8 +147,8 @@ void FaceRays::first_hits(std::span<const FaceRay> rays, std::span<std::optional
         for (std::size_t i = 0; i < count; ++i) {
             hits[begin + i].reset();
             if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
-                hits[begin + i] = hierarchy_->hit_of(packet.hit.geomID[i], packet.hit.primID[i], packet.ray.tfar[i],
-                                                     packet.hit.u[i], packet.hit.v[i]);
+                hits[begin + i] = hierarchy_->hit_of(packet.hit.geomID[i], packet.hit.primID[i],
+                                                     packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i]);
         }
     }
 }
@@ -183,7 +184,8 @@ bool FaceRays::any_hit(const FaceRay& ray) const {
 
 FaceRay FaceRays::towards_light(const glm::dvec3& point, const glm::dvec3& flat_normal,
                                 const glm::dvec3& to_light) const {
-    // Vertices are rounded by 2^-24 of their distance from the camera, along each axis, and so is the ray's origin.
+    // Vertices are rounded by 2^-24 of their distance from the camera, along each axis, and so is the ray's
+    // origin.
     const double lift = kRayStart_m + 0x1p-22 * glm::length(point - hierarchy_->origin);
     const double side = glm::dot(flat_normal, to_light) < 0 ? -1 : 1;
     return {point + side * lift * flat_normal, to_light, kFarthestLight_m};
@@ -212,8 +214,8 @@ Rgb FaceRays::colour(const FaceHit& hit, const glm::dvec3& point, const glm::dve
     if (material.specular > 0) {
         const double along = -glm::dot(2 * facing * n - light.to_sun, direction);
         if (along > 0)
-            colour = colour +
-                     (material.specular * std::pow(static_cast<float>(along), material.exponent)) * sun;
+            colour =
+                colour + (material.specular * std::pow(static_cast<float>(along), material.exponent)) * sun;
     }
     return colour;
 }

@@ -31,8 +31,9 @@ double inverse_leaning(double limit, double share) {
     const double wanted = share * leaning(limit, limit);
     double low = -kFarSigma - 1, high = std::min(limit, kFarSigma + 1);
     // The mean is -distribution(limit) / leaning(limit, limit): shifted by it, a normal distribution is near.
-    double u = std::clamp(inverse_normal(std::clamp(share, 1e-15, 1 - 1e-15)) - distribution(limit) / leaning(limit, limit),
-                          low, high);
+    double u = std::clamp(
+        inverse_normal(std::clamp(share, 1e-15, 1 - 1e-15)) - distribution(limit) / leaning(limit, limit),
+        low, high);
     // Newton, held between the bounds; where it leaves them, halves.
     for (int i = 0; i < 60; ++i) {
         const double off = leaning(limit, u) - wanted;

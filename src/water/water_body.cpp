@@ -39,8 +39,9 @@ Rgb light_from_water(const WaterSurface& water, const InWater& ray, const Bed& b
         float radiance = 0;
         if (std::isfinite(bed.way_m)) radiance = albedo * (from_sun * through_sun + sky_light * through_sky);
         if (c > 0)
-            radiance += b / (4 * c) *
-                        (from_sun / mu_s * (1 - through_sun) / both_sun + sky_light * (1 - through_sky) / both_sky);
+            radiance +=
+                b / (4 * c) *
+                (from_sun / mu_s * (1 - through_sun) / both_sun + sky_light * (1 - through_sky) / both_sky);
         return radiance;
     };
     const Rgb a = water.absorption_per_m, b = water.scattering_per_m;

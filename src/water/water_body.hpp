@@ -9,10 +9,10 @@ inline constexpr double kFaint = 1.0 / 2048;
 
 /// A view ray that goes on into the water.
 struct InWater {
-    double share = 0;               ///< of the light that comes up along it, what the viewer sees; 0: not worth following
-    glm::dvec3 down{0, 0, -1};      ///< unit vector
-    double mu_v = 1;                ///< its cosine to the vertical
-    double visible_m = 0;           ///< how far any of its light could be seen
+    double share = 0;  ///< of the light that comes up along it, what the viewer sees; 0: not worth following
+    glm::dvec3 down{0, 0, -1};  ///< unit vector
+    double mu_v = 1;            ///< its cosine to the vertical
+    double visible_m = 0;       ///< how far any of its light could be seen
 };
 
 /// Refracts the view ray at the unit normal; `transmitted` is the share that is not mirrored.
@@ -25,7 +25,8 @@ struct Bed {
     Rgb albedo;
 };
 
-/// Radiance that comes up along the refracted ray, inside the water: keikan/water/water_light.hpp, "In the water".
+/// Radiance that comes up along the refracted ray, inside the water: keikan/water/water_light.hpp, "In the
+/// water".
 Rgb light_from_water(const WaterSurface& water, const InWater& ray, const Bed& bed, Rgb sun, Rgb sky_ambient,
                      double sun_z);
 

@@ -40,9 +40,9 @@ bool finite(Rgb colour) {
 
 /// One sample on its way; heights are above the mean plane.
 struct WaterLight::Way {
-    double t = 0;                             ///< to the water
-    glm::dvec2 slope{0, 0};                   ///< of the waves there
-    glm::dvec3 on_wave{}, on_plane{};         ///< where the view ray meets the waves; the mean plane (in the world)
+    double t = 0;                      ///< to the water
+    glm::dvec2 slope{0, 0};            ///< of the waves there
+    glm::dvec3 on_wave{}, on_plane{};  ///< where the view ray meets the waves; the mean plane (in the world)
     glm::dvec3 towards_viewer{}, direction{};  ///< unit vectors; where the mirrored ray goes
     double reflectance = 0;
     float share = 1;         ///< what mirrors after the first leave of it
@@ -59,8 +59,9 @@ struct WaterLight::Way {
 WaterLight::Memory::Memory() = default;
 WaterLight::Memory::~Memory() = default;
 
-void WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
-                       std::span<WaterSample> samples, Memory& memory) const {
+void WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved,
+                       std::span<const WaterLook> looks, std::span<WaterSample> samples,
+                       Memory& memory) const {
     KEIKAN_CHECK(looks.size() == samples.size(), looks.size() << " looks, " << samples.size() << " samples");
     memory.ways.assign(looks.size(), Way{});
     meet_waves(water, resolved, looks, memory);
@@ -76,8 +77,8 @@ void WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved,
         if (way.in_water.share > 0)
             colour = colour + static_cast<float>(way.in_water.share) * out_of_water(water, way, memory);
         const auto sent = [](std::uint32_t ray) { return ray != kNoRay ? 1 : 0; };
-        sample.face_rays = static_cast<std::uint16_t>(sent(way.mirror_ray) + sent(way.bed_ray) + sent(way.sun_ray) +
-                                                      sent(way.face_sun_ray));
+        sample.face_rays = static_cast<std::uint16_t>(sent(way.mirror_ray) + sent(way.bed_ray) +
+                                                      sent(way.sun_ray) + sent(way.face_sun_ray));
         sample.wave_rays = way.wave_rays;
         sample.steps = way.steps;
         sample.colour = through_haze(scene_.haze, colour, way.t);
@@ -192,7 +193,8 @@ void WaterLight::look_for_faces(Memory& memory) const {
     for (Way& way : memory.ways) way.mirror_ray = add({way.on_plane, way.direction, kFarthest_m});
     for (Way& way : memory.ways)
         if (way.in_water.share > 0 && way.in_water.visible_m > FaceRays::kRayStart_m)
-            way.bed_ray = add({way.on_plane, way.in_water.down, std::min(way.in_water.visible_m, kFarthest_m)});
+            way.bed_ray =
+                add({way.on_plane, way.in_water.down, std::min(way.in_water.visible_m, kFarthest_m)});
     memory.hits.resize(memory.face_rays.size());
     faces_.first_hits(memory.face_rays, memory.hits);
 }
@@ -207,8 +209,8 @@ void WaterLight::look_for_sun(std::span<const WaterLook> looks, Memory& memory) 
     };
     for (std::size_t i = 0; i < looks.size(); ++i) {
         Way& way = memory.ways[i];
-        const glm::dvec3 to_sun =
-            shadows ? on_sun_disc(scene_.light.to_sun, looks[i].sun.u1, looks[i].sun.u2) : scene_.light.to_sun;
+        const glm::dvec3 to_sun = shadows ? on_sun_disc(scene_.light.to_sun, looks[i].sun.u1, looks[i].sun.u2)
+                                          : scene_.light.to_sun;
         if (way.sun_glitter > kFaint || (shadows && way.in_water.share > kFaint))
             way.sun_ray = add({way.on_plane, to_sun, kFarthest_m});
         else

@@ -15,15 +15,16 @@ struct SineCosine {
     Real cosine;
 };
 
-/// Of 2 pi `turns`, a number or a vector of them, within kSineError. Uses + - * only and no branch: every machine
-/// gives the same bits. Requires: |turns| < 2^50.
+/// Of 2 pi `turns`, a number or a vector of them, within kSineError. Uses + - * only and no branch: every
+/// machine gives the same bits. Requires: |turns| < 2^50.
 template <typename Real>
 [[gnu::always_inline]] inline SineCosine<Real> sine_of_turns(Real turns) {
     // Adding and taking away 1.5 * 2^52 rounds to the nearest whole number; the rest is exact.
     constexpr double kRound = 0x1.8p52;
     const Real rest = turns - ((turns + kRound) - kRound);
-    // A quarter of the angle, within [-pi/4, pi/4]. Polynomials in its square that interpolate at Chebyshev's nodes:
-    // sin(a) / a within 1.8e-14, cos(a) within 2.3e-13; doubling twice makes at most 8 times as much of the latter.
+    // A quarter of the angle, within [-pi/4, pi/4]. Polynomials in its square that interpolate at Chebyshev's
+    // nodes: sin(a) / a within 1.8e-14, cos(a) within 2.3e-13; doubling twice makes at most 8 times as much
+    // of the latter.
     const Real a = rest * 1.5707963267948966, q = a * a;
     Real s = q * -2.4805636241834762e-08 + 2.755599092956532e-06;
     s = s * q - 1.9841266916985966e-04;

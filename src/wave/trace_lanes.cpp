@@ -18,8 +18,8 @@ Sums sums_at(const WaveSeries* waves, std::size_t wave_count, double x, double y
             ((((w.height[5] * c + w.height[4]) * c + w.height[3]) * c + w.height[2]) * c + w.height[1]) * c +
             w.height[0];
         const double by_theta =
-            s.sine *
-            ((((w.by_theta[4] * c + w.by_theta[3]) * c + w.by_theta[2]) * c + w.by_theta[1]) * c + w.by_theta[0]);
+            s.sine * ((((w.by_theta[4] * c + w.by_theta[3]) * c + w.by_theta[2]) * c + w.by_theta[1]) * c +
+                      w.by_theta[0]);
         sums.slope[0] += kTurn * w.turns_x * by_theta;
         sums.slope[1] += kTurn * w.turns_y * by_theta;
     }

@@ -4,8 +4,8 @@
 
 #include "keikan/wave/wave_series.hpp"
 
-// The inner loop of trace_waves, compiled once for every vector width. Plain data only: a source that is compiled for
-// newer processors must not leave behind inline functions that others share.
+// The inner loop of trace_waves, compiled once for every vector width. Plain data only: a source that is
+// compiled for newer processors must not leave behind inline functions that others share.
 namespace keikan::lanes {
 
 struct Ray {
@@ -31,8 +31,8 @@ struct Job {
     Hit* hits;  ///< one for each ray
 };
 
-/// Each lane follows a ray; a lane that is done takes the next one. A ray's hit depends on nothing but itself, and
-/// has the same bits for every vector width: + - * / and sqrt only.
+/// Each lane follows a ray; a lane that is done takes the next one. A ray's hit depends on nothing but
+/// itself, and has the same bits for every vector width: + - * / and sqrt only.
 void trace_with_any_processor(const Job& job);
 void trace_with_avx2(const Job& job);  ///< where the processor has it; elsewhere not linked
 

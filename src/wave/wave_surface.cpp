@@ -20,8 +20,9 @@ namespace {
 /// The series as polynomials in the cosine: cos n theta = T_n(c), sin n theta = sin theta U_(n-1)(c).
 WaveSeries series_of(const std::array<double, kStokesOrders>& h, const WaveBounds& bounds) {
     WaveSeries w;
-    const double heights[] = {-h[1] + h[3], h[0] - 3 * h[2] + 5 * h[4], 2 * h[1] - 8 * h[3], 4 * h[2] - 20 * h[4],
-                              8 * h[3], 16 * h[4]};
+    const double heights[] = {
+        -h[1] + h[3], h[0] - 3 * h[2] + 5 * h[4], 2 * h[1] - 8 * h[3], 4 * h[2] - 20 * h[4], 8 * h[3],
+        16 * h[4]};
     std::copy(std::begin(heights), std::end(heights), w.height);
     // By theta: - sin theta d height / d c.
     for (int n = 0; n < kStokesOrders; ++n) w.by_theta[n] = -(n + 1) * heights[n + 1];

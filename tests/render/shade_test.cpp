@@ -216,7 +216,8 @@ TEST_CASE("shade_band: a divided pixel is the mean of its parts, in linear light
     band.divided_begin = {0, 1};
     band.parts = {{0, 0.5f, 0.5f, 0.25}, {1, 0.5f, 0.5f, 0.5}};
     Image<Rgb> image(scene.camera.size);
-    ExtraImages extra{Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), {}};
+    ExtraImages extra{
+        Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), Image<float>({8, 8}), {}};
     shade_band(band, scene, image, &extra);
     // Background straight ahead: the horizon, white.
     check_colour(image[kAhead], 0.25 + 0.25 * 0.45, 0.25 + 0.25 * 0.21,

@@ -104,7 +104,8 @@ TEST_CASE("WaterLight: a wall is mirrored where the mirror says, and hazed over 
     // Black haze takes exp(-1) of 50/3 m to the water and of 25/3 m behind it.
     scene.haze = {{0, 0, 0}, 25};
     const WaterLight hazy(scene, rays);
-    CHECK(hazy.along(black_water(), {}, {ray, {}, {}}).colour.r == Approx(reflected * std::exp(-1)).epsilon(1e-5));
+    CHECK(hazy.along(black_water(), {}, {ray, {}, {}}).colour.r ==
+          Approx(reflected * std::exp(-1)).epsilon(1e-5));
 }
 
 TEST_CASE("WaterLight: clear water over a bed, straight down", "[water][light]") {
@@ -121,9 +122,10 @@ TEST_CASE("WaterLight: clear water over a bed, straight down", "[water][light]")
     water.scattering_per_m = {0, 0, 0};
     water.absorption_per_m = {0, 0.25f, 1};
     const Rgb seen = light.along(water, {}, {{{0, 0, 10}, {0, 0, -1}}, {}, {}}).colour;
-    // In and out through the surface, n^-2 for the wider cone outside; 2 m of water upwards, 2 m by mu_s downwards.
-    const double through = (1 - fresnel_reflectance(1)) * 0.8 * (1 - fresnel_reflectance(0.8)) /
-                           (kWaterIndex * kWaterIndex);
+    // In and out through the surface, n^-2 for the wider cone outside; 2 m of water upwards, 2 m by mu_s
+    // downwards.
+    const double through =
+        (1 - fresnel_reflectance(1)) * 0.8 * (1 - fresnel_reflectance(0.8)) / (kWaterIndex * kWaterIndex);
     const double way = 2 + 2 / refracted_cosine(0.8);
     CHECK(seen.r == Approx(0.5 * through).epsilon(1e-5));
     CHECK(seen.g == Approx(0.5 * through * std::exp(-0.25 * way)).epsilon(1e-5));
@@ -141,8 +143,8 @@ TEST_CASE("WaterLight: deep water scatters b / (4 c (1 + mu_v / mu_s)) of the su
     water.absorption_per_m = {0.3f, 0.3f, 0.3f};
     water.scattering_per_m = {0.1f, 0.1f, 0.1f};
     const Rgb seen = WaterLight(scene, rays).along(water, {}, {{{0, 0, 10}, {0, 0, -1}}, {}, {}}).colour;
-    const double through = (1 - fresnel_reflectance(1)) * 0.8 * (1 - fresnel_reflectance(0.8)) /
-                           (kWaterIndex * kWaterIndex);
+    const double through =
+        (1 - fresnel_reflectance(1)) * 0.8 * (1 - fresnel_reflectance(0.8)) / (kWaterIndex * kWaterIndex);
     const double mu_s = refracted_cosine(0.8);
     CHECK(seen.r == Approx(through / mu_s * 0.1 / 4 / 0.4 / (1 + 1 / mu_s)).epsilon(1e-5));
 }
@@ -161,8 +163,8 @@ TEST_CASE("WaterLight: still water mirrors the sun's disc, with the irradiance t
     for (int i = -60; i <= 60; ++i)
         for (int j = -60; j <= 60; ++j) {
             const double elevation = std::asin(0.8) + i * step, turn = j * step / 0.6;
-            const glm::dvec3 direction(std::cos(elevation) * std::sin(turn), std::cos(elevation) * std::cos(turn),
-                                       -std::sin(elevation));
+            const glm::dvec3 direction(std::cos(elevation) * std::sin(turn),
+                                       std::cos(elevation) * std::cos(turn), -std::sin(elevation));
             const double seen = static_cast<double>(
                 light.along(black_water(), {}, {{{0, 0, 10}, direction}, {}, {}}).colour.r);
             irradiance += seen * step * step * std::cos(elevation) / 0.6;

@@ -33,7 +33,8 @@ PixelWindow window_of(const std::string& text, ImageSize size) {
     bool good = true;
     for (int i = 0; good && i < 4; ++i) {
         const auto read = std::from_chars(at, end, numbers[i]);
-        good = read.ec == std::errc() && (i == 3 ? read.ptr == end : read.ptr != end && *read.ptr == ",,x"[i]);
+        good =
+            read.ec == std::errc() && (i == 3 ? read.ptr == end : read.ptr != end && *read.ptr == ",,x"[i]);
         at = read.ptr + 1;
     }
     if (!good) throw InputError("--window: '" + text + "' is not X,Y,WIDTHxHEIGHT, such as 400,500,64x40");
@@ -41,7 +42,8 @@ PixelWindow window_of(const std::string& text, ImageSize size) {
     const bool inside = w.x >= 0 && w.y >= 0 && w.width > 0 && w.height > 0 && w.width <= size.width - w.x &&
                         w.height <= size.height - w.y;
     if (!inside)
-        throw InputError(fmt::format("--window: {} is not within the picture of {}x{}", text, size.width, size.height));
+        throw InputError(
+            fmt::format("--window: {} is not within the picture of {}x{}", text, size.width, size.height));
     return w;
 }
 
@@ -67,31 +69,40 @@ void water(WaterCommand command, CommonOptions& common) {
     std::fflush(stdout);
     if (common.quiet) return;
     fmt::print(stderr,
-               "{}{}: {} pixels of water in {},{},{}x{}; error {:.2f} of {:g} asked for, {:.2f} of random points'; {} "
+               "{}{}: {} pixels of water in {},{},{}x{}; error {:.2f} of {:g} asked for, {:.2f} of random "
+               "points'; {} "
                "missed; waves taken for slopes: {:.2f}; {:.1f} s\n",
-               convergence::report_table(report), report.pass() ? "pass" : "FAIL", report.pixels, report.window.x,
-               report.window.y, report.window.width, report.window.height, report.adaptive.rmse, report.asked_error,
-               report.adaptive.rmse / report.random.rmse, report.missed(), report.filter_rmse, seconds);
+               convergence::report_table(report), report.pass() ? "pass" : "FAIL", report.pixels,
+               report.window.x, report.window.y, report.window.width, report.window.height,
+               report.adaptive.rmse, report.asked_error, report.adaptive.rmse / report.random.rmse,
+               report.missed(), report.filter_rmse, seconds);
 }
 
 }  // namespace
 
 void add_water_command(CLI::App& app, CommonOptions& common) {
-    auto* const sub = app.add_subcommand("water", "A scene's water against itself with thousands of samples a pixel");
+    auto* const sub =
+        app.add_subcommand("water", "A scene's water against itself with thousands of samples a pixel");
     const auto command = std::make_shared<WaterCommand>();
     auto& options = command->options;
     sub->add_option("SCENE", command->scene, "Scene file (docs/scene.md)")->required();
     sub->add_option("--size", command->size, "WIDTHxHEIGHT instead of the scene's");
-    sub->add_option("--window", command->window,
-                    "X,Y,WIDTHxHEIGHT: the pixels that are looked at (default: 64x40 in the middle of the water)");
+    sub->add_option(
+        "--window", command->window,
+        "X,Y,WIDTHxHEIGHT: the pixels that are looked at (default: 64x40 in the middle of the water)");
     sub->add_option("--reference", options.reference_samples, "Samples a pixel of the reference")
         ->check(CLI::Range(16, 1 << 20))
         ->capture_default_str();
-    sub->add_option("--water-error", options.error, "What the adaptive method is asked for, in codes of 8 bits")
+    sub->add_option("--water-error", options.error,
+                    "What the adaptive method is asked for, in codes of 8 bits")
         ->check(CLI::Range(0.01, 255.0))
         ->capture_default_str();
-    sub->add_option("--kw", options.k_w, "The paper's k_w, one or several")->delimiter(',')->check(CLI::Range(0.0, 1e9));
-    sub->add_option("--kr", options.k_r, "The paper's k_r, one or several")->delimiter(',')->check(CLI::Range(0.0, 1e6));
+    sub->add_option("--kw", options.k_w, "The paper's k_w, one or several")
+        ->delimiter(',')
+        ->check(CLI::Range(0.0, 1e9));
+    sub->add_option("--kr", options.k_r, "The paper's k_r, one or several")
+        ->delimiter(',')
+        ->check(CLI::Range(0.0, 1e6));
     sub->add_option("--paper-most", options.paper_most, "Most samples of a pixel of the paper's mode")
         ->check(CLI::Range(2, 1 << 20))
         ->capture_default_str();

@@ -53,7 +53,8 @@ WaterResult compared(std::string method, const RenderedPicture& picture, const R
     std::uint64_t values = 0;
     each_water_pixel(window, reference.extra.water_samples, [&](PixelIndex at) {
         const Rgb p = picture.image[at], q = reference.image[at];
-        for (const double error : {code_of(p.r) - code_of(q.r), code_of(p.g) - code_of(q.g), code_of(p.b) - code_of(q.b)}) {
+        for (const double error :
+             {code_of(p.r) - code_of(q.r), code_of(p.g) - code_of(q.g), code_of(p.b) - code_of(q.b)}) {
             squares += error * error;
             result.largest_error = std::max(result.largest_error, std::abs(error));
             ++values;
@@ -70,13 +71,10 @@ WaterResult compared(std::string method, const RenderedPicture& picture, const R
 }
 
 nlohmann::ordered_json json_of(const WaterResult& r) {
-    return {{"method", r.method},
-            {"samples_per_pixel", r.samples_per_pixel},
-            {"most_samples", r.most_samples},
-            {"rmse", r.rmse},
-            {"largest_error", r.largest_error},
-            {"missed", r.missed},
-            {"seconds", r.seconds}};
+    return {
+        {"method", r.method},  {"samples_per_pixel", r.samples_per_pixel}, {"most_samples", r.most_samples},
+        {"rmse", r.rmse},      {"largest_error", r.largest_error},         {"missed", r.missed},
+        {"seconds", r.seconds}};
 }
 
 }  // namespace
@@ -105,7 +103,8 @@ std::optional<PixelWindow> window_of_water(const Scene& scene, const Geometry& g
         return std::clamp(*middle - length / 2, 0, of - length);
     };
     const int width = std::min(size.width, whole.width), height = std::min(size.height, whole.height);
-    return PixelWindow{begin_of(columns, width, whole.width), begin_of(rows, height, whole.height), width, height};
+    return PixelWindow{begin_of(columns, width, whole.width), begin_of(rows, height, whole.height), width,
+                       height};
 }
 
 WaterReport check_water(const Scene& scene, const Geometry& geometry, const WaterCheckOptions& options) {
@@ -128,10 +127,10 @@ WaterReport check_water(const Scene& scene, const Geometry& geometry, const Wate
     adaptive.seed = options.seed;
     report.adaptive = compared("variance", drawn(scene, geometry, adaptive), reference, options.window);
     const int equal = std::max(1, static_cast<int>(std::ceil(report.adaptive.samples_per_pixel)));
-    report.random = compared("random", drawn(scene, geometry, fixed(Sampler::Random, equal, options)), reference,
-                             options.window);
-    report.sobol =
-        compared("sobol", drawn(scene, geometry, fixed(Sampler::Sobol, equal, options)), reference, options.window);
+    report.random = compared("random", drawn(scene, geometry, fixed(Sampler::Random, equal, options)),
+                             reference, options.window);
+    report.sobol = compared("sobol", drawn(scene, geometry, fixed(Sampler::Sobol, equal, options)), reference,
+                            options.window);
     for (const double k_w : options.k_w)
         for (const double k_r : options.k_r) {
             WaterOptions paper;
@@ -155,17 +154,19 @@ std::string report_json(const WaterReport& report, double seconds) {
     json["beats_random"] = report.beats_random();
     json["missed"] = report.missed();
     json["filter_rmse"] = report.filter_rmse;
-    for (const WaterResult* r : {&report.adaptive, &report.random, &report.sobol}) json["methods"].push_back(json_of(*r));
+    for (const WaterResult* r : {&report.adaptive, &report.random, &report.sobol})
+        json["methods"].push_back(json_of(*r));
     for (const WaterResult& r : report.paper) json["methods"].push_back(json_of(r));
     json["seconds"] = seconds;
     return json.dump();
 }
 
 std::string report_table(const WaterReport& report) {
-    std::string text = "| method | samples a pixel | most | RMSE | largest error |\n|---|---:|---:|---:|---:|\n";
+    std::string text =
+        "| method | samples a pixel | most | RMSE | largest error |\n|---|---:|---:|---:|---:|\n";
     const auto add = [&](const WaterResult& r) {
-        text += fmt::format("| {} | {:.1f} | {} | {:.2f} | {:.1f} |\n", r.method, r.samples_per_pixel, r.most_samples,
-                            r.rmse, r.largest_error);
+        text += fmt::format("| {} | {:.1f} | {} | {:.2f} | {:.1f} |\n", r.method, r.samples_per_pixel,
+                            r.most_samples, r.rmse, r.largest_error);
     };
     for (const WaterResult* r : {&report.adaptive, &report.random, &report.sobol}) add(*r);
     for (const WaterResult& r : report.paper) add(r);

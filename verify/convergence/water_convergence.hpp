@@ -22,8 +22,8 @@ struct WaterCheckOptions {
     std::uint32_t seed = 1;
 };
 
-/// One way to draw the window, beside the reference. Codes are those of sRGB with 8 bits, not rounded; errors are over
-/// all channels of all pixels that hold water.
+/// One way to draw the window, beside the reference. Codes are those of sRGB with 8 bits, not rounded; errors
+/// are over all channels of all pixels that hold water.
 struct WaterResult {
     std::string method;
     double samples_per_pixel = 0;
@@ -39,12 +39,13 @@ struct WaterReport {
     std::uint64_t pixels = 0;  ///< of the window, that hold water
     double asked_error = 0;
     WaterResult adaptive;
-    WaterResult random;      ///< independent points, as many in each pixel as the adaptive method takes on average
-    WaterResult sobol;       ///< Sobol's points, as many
+    WaterResult
+        random;         ///< independent points, as many in each pixel as the adaptive method takes on average
+    WaterResult sobol;  ///< Sobol's points, as many
     double filter_rmse = 0;  ///< reference with waves taken for slopes, against all waves traced
     std::vector<WaterResult> paper;
 
-    static constexpr double kWithin = 0.2;      ///< how far the error may be from the one that was asked for
+    static constexpr double kWithin = 0.2;  ///< how far the error may be from the one that was asked for
     static constexpr double kBestOfRandom = 0.7;
 
     std::uint64_t missed() const;
@@ -60,7 +61,8 @@ std::optional<PixelWindow> window_of_water(const Scene& scene, const Geometry& g
 /// Draws the window by each method and compares.
 ///
 /// Properties:
-///   (1) The adaptive method and the uniform ones are held against a reference in which waves are slopes where they
+///   (1) The adaptive method and the uniform ones are held against a reference in which waves are slopes
+///   where they
 ///       take them for slopes; the paper's, which traces all waves, against one in which all are traced.
 ///   (2) The random points are rounded up to a whole number a pixel: no fewer than the adaptive method takes.
 WaterReport check_water(const Scene& scene, const Geometry& geometry, const WaterCheckOptions& options);

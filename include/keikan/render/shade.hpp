@@ -11,10 +11,10 @@ class WaterPixels;
 
 /// Optional pictures beside the colours; empty images are not made.
 struct ExtraImages {
-    Image<float> background;  ///< uncovered fraction of the pixel
-    Image<float> object_id;   ///< 1 + object of the largest part, 0 for the background
-    Image<float> depth;       ///< of the largest part at its centroid [m], 0 for the background
-    Image<float> flags;       ///< 0 one face only, 1 divided by exact areas, 2 divided along the scanline
+    Image<float> background;     ///< uncovered fraction of the pixel
+    Image<float> object_id;      ///< 1 + object of the largest part, 0 for the background
+    Image<float> depth;          ///< of the largest part at its centroid [m], 0 for the background
+    Image<float> flags;          ///< 0 one face only, 1 divided by exact areas, 2 divided along the scanline
     Image<float> water_samples;  ///< taken for the pixel's water; 0: none is drawn by rays
 };
 
@@ -34,8 +34,8 @@ struct ExtraImages {
 /// horizon) to `zenith` linearly in the sine of the view direction's elevation.
 ///
 /// With `rays`, where Light::shadows is set, `sun` is that share of it that is seen past other faces
-/// (SceneRays::sun_share): from 4 points of the face, spread over the pixel (over a square of the size of a divided
-/// pixel's part, around its centroid), and where these do not agree, from 32.
+/// (SceneRays::sun_share): from 4 points of the face, spread over the pixel (over a square of the size of a
+/// divided pixel's part, around its centroid), and where these do not agree, from 32.
 ///
 /// Pixels that hold water that is drawn by rays (Scene::water) are noted in `water`, and that water adds
 /// nothing here; without `water` it is flat colour.

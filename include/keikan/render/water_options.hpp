@@ -28,19 +28,18 @@ enum class MixedPixels {
 /// Some columns and rows of a picture.
 struct PixelWindow {
     int x = 0, y = 0, width = 0, height = 0;
-    bool holds(PixelIndex p) const {
-        return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height;
-    }
+    bool holds(PixelIndex p) const { return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height; }
 };
 
 struct WaterOptions {
     WaterMode mode = WaterMode::Variance;
     MixedPixels mixed = MixedPixels::Exact;
-    /// Variance: standard error of the pixel's colour, in sRGB codes of 8 bits: root of the mean square of the channels'.
+    /// Variance: standard error of the pixel's colour, in sRGB codes of 8 bits: root of the mean square of
+    /// the channels'.
     double error = 2;
-    int least = 16;    ///< Variance: first samples, a power of two
-    int most = 256;    ///< Variance
-    int fixed = 64;    ///< Fixed
+    int least = 16;                          ///< Variance: first samples, a power of two
+    int most = 256;                          ///< Variance
+    int fixed = 64;                          ///< Fixed
     Sampler fixed_sampler = Sampler::Sobol;  ///< Fixed
     bool filter = true;  ///< Fixed and Variance: waves smaller than the footprint become slopes
     PaperSampleCounts paper{.most = 1024};
@@ -53,10 +52,10 @@ struct WaterStatistics {
     std::uint64_t mixed_pixels = 0;  ///< of those, with other things, too
     std::uint64_t samples = 0;
     std::uint64_t most_samples = 0;  ///< of one pixel
-    std::uint64_t face_rays = 0;   ///< into the hierarchy of faces
-    std::uint64_t wave_rays = 0;   ///< to the waves
-    std::uint64_t wave_steps = 0;  ///< of those: how often all waves were evaluated
-    std::uint64_t missed = 0;     ///< samples without water or without a finite colour: must be 0
+    std::uint64_t face_rays = 0;     ///< into the hierarchy of faces
+    std::uint64_t wave_rays = 0;     ///< to the waves
+    std::uint64_t wave_steps = 0;    ///< of those: how often all waves were evaluated
+    std::uint64_t missed = 0;        ///< samples without water or without a finite colour: must be 0
     std::array<std::uint64_t, 17> histogram{};  ///< pixels by samples: [i] counts 2^i to 2^(i+1) - 1
     double seconds = 0;
 };

@@ -22,8 +22,8 @@ struct HeightSlopeRamp {
 
     /// Linear between the stops around it.
     Rgb colour_at(float height_m) const;
-    /// How much of `steep` shows on a plane whose unit normal has this z, of either side: 0 to 1, linear in the
-    /// slope angle.
+    /// How much of `steep` shows on a plane whose unit normal has this z, of either side: 0 to 1, linear in
+    /// the slope angle.
     float steep_share(float normal_z) const;
 };
 
@@ -46,7 +46,7 @@ struct Material {
 struct Light {
     glm::dvec3 to_sun{0, 0, 1};  ///< unit vector
     Rgb sun{1, 1, 1};
-    bool shadows = false;  ///< faces hide the sun's disc from one another
+    bool shadows = false;                    ///< faces hide the sun's disc from one another
     Rgb sky_ambient{0.3f, 0.35f, 0.45f};     ///< on faces that look up; blends by the normal's z ...
     Rgb ground_ambient{0.12f, 0.11f, 0.1f};  ///< ... to this on faces that look down
 };

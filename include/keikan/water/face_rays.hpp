@@ -46,12 +46,15 @@ class FaceRays {
     /// Of each ray, whether any face is met. Requires: both of equal size.
     void any_hits(std::span<const FaceRay> rays, std::span<std::uint8_t> met) const;
 
-    /// A ray from a face towards the light, which starts as far off the face as it may be displaced by rounding.
-    FaceRay towards_light(const glm::dvec3& point, const glm::dvec3& flat_normal, const glm::dvec3& to_light) const;
+    /// A ray from a face towards the light, which starts as far off the face as it may be displaced by
+    /// rounding.
+    FaceRay towards_light(const glm::dvec3& point, const glm::dvec3& flat_normal,
+                          const glm::dvec3& to_light) const;
 
     /// Phong colour of a face at `point`, seen along the unit vector `direction`: the equations of
     /// keikan/render/shade.hpp without haze, with this share of the sun.
-    Rgb colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction, float sun_share = 1) const;
+    Rgb colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction,
+               float sun_share = 1) const;
     /// The colour of the material there, without light on it.
     Rgb albedo(const FaceHit& hit, const glm::dvec3& point) const;
 

@@ -26,8 +26,8 @@ struct Choice {
     double u2 = 0.5;
 };
 
-/// One sample: along which ray the viewer looks (unit direction), which of the unresolved slopes he meets, and from
-/// which point of its disc the sun shines.
+/// One sample: along which ray the viewer looks (unit direction), which of the unresolved slopes he meets,
+/// and from which point of its disc the sun shines.
 struct WaterLook {
     ViewRay ray;
     Choice slope;
@@ -37,7 +37,7 @@ struct WaterLook {
 /// What one view ray saw.
 struct WaterSample {
     Rgb colour;
-    bool missed = false;     ///< no water was met, or no finite colour: our mistake, counted
+    bool missed = false;          ///< no water was met, or no finite colour: our mistake, counted
     std::uint16_t face_rays = 0;  ///< that were sent into the hierarchy of faces
     std::uint16_t wave_rays = 0;  ///< that were traced to the waves
     std::uint32_t steps = 0;      ///< of those: how often all waves were evaluated
@@ -54,9 +54,9 @@ struct WaterSample {
 ///                turned up
 ///   glitter    = pi sun F(h . v) density_by_projection(slope of h) / (4 h.z^4), h the unit vector halfway
 ///   between v
-///                and the sun: the sun's reflection integrated over all unresolved slopes, to whose covariance
-///                (kSunRadius_rad / 4)^2 in x and y is added for the width of the disc, so that still water
-///                mirrors the sun, too; in the shade of a face, 0
+///                and the sun: the sun's reflection integrated over all unresolved slopes, to whose
+///                covariance (kSunRadius_rad / 4)^2 in x and y is added for the width of the disc, so that
+///                still water mirrors the sun, too; in the shade of a face, 0
 ///   water      = (1 - R) / n_w^2 (bed T + single scattering), see below
 ///   colour     = R reflected + glitter + water, through the haze between the viewer and the water
 /// `sun` is a white, upright face's radiance, so pi sun is the irradiance of a plane across it.
@@ -72,8 +72,9 @@ struct WaterSample {
 /// Face rays start on the mean plane, where the view ray goes through it: as waves do not move the water's
 /// outline, a trough behind the shore must not see the shore from below.
 ///
-/// Where Light::shadows is set, a face that is mirrored is lit, and the water is lit, by the point of the sun's disc
-/// that the sample chose, if no face is before it; otherwise faces hide the sun from the glitter alone.
+/// Where Light::shadows is set, a face that is mirrored is lit, and the water is lit, by the point of the
+/// sun's disc that the sample chose, if no face is before it; otherwise faces hide the sun from the glitter
+/// alone.
 ///
 /// Property: (1) samples[i] is a function of water, resolved and looks[i] alone, the same bits however many
 ///               looks there are and on any processor.
@@ -110,13 +111,15 @@ class WaterLight {
     static constexpr double kFarthest_m = 2e5;
 
   private:
-    void meet_waves(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
-                    Memory& memory) const;
-    void reflect(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look, Way& way) const;
+    void meet_waves(const WaterSurface& water, const ResolvedWater& resolved,
+                    std::span<const WaterLook> looks, Memory& memory) const;
+    void reflect(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look,
+                 Way& way) const;
     void mirror_between_waves(const ResolvedWater& resolved, Memory& memory) const;
     void look_for_faces(Memory& memory) const;
     void look_for_sun(std::span<const WaterLook> looks, Memory& memory) const;
-    double glitter(const SlopeCovariance& unresolved, glm::dvec2 slope, const glm::dvec3& towards_viewer) const;
+    double glitter(const SlopeCovariance& unresolved, glm::dvec2 slope,
+                   const glm::dvec3& towards_viewer) const;
     Rgb mirrored(const Way& way, const Memory& memory) const;
     Rgb out_of_water(const WaterSurface& water, const Way& way, const Memory& memory) const;
 

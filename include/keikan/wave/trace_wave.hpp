@@ -49,8 +49,9 @@ struct WaveRay {
 std::optional<WaveMeeting> trace_wave(const WaveSurface& water, const glm::dvec3& origin,
                                       const glm::dvec3& direction, double t_max);
 
-/// The same for many rays at once: meetings[i] is what trace_wave gives for rays[i], the same bits for any number of
-/// rays and on any processor. Rays share the vectors of the processor: a lane that is done takes the next ray.
+/// The same for many rays at once: meetings[i] is what trace_wave gives for rays[i], the same bits for any
+/// number of rays and on any processor. Rays share the vectors of the processor: a lane that is done takes
+/// the next ray.
 ///
 /// Requires: rays and meetings of equal size; as trace_wave.
 /// Cost:     a call with one ray costs nearly as much as one with 4.
