@@ -14,6 +14,9 @@ void StageClock::ended(const std::string& stage) {
     const Clock::time_point now = Clock::now();
     note(stage, std::chrono::duration<double>(now - last_).count());
     last_ = now;
+    const std::clock_t spent = std::clock();
+    processor_stages_.emplace_back(stage, static_cast<double>(spent - last_spent_) / CLOCKS_PER_SEC);
+    last_spent_ = spent;
 }
 
 double StageClock::total() const {
@@ -29,6 +32,7 @@ void write_statistics(const std::string& file, const std::string& command, Image
     json["threads"] = thread_count();
     for (const auto& [stage, seconds] : clock.stages()) json["seconds"][stage] = seconds;
     json["seconds"]["total"] = clock.total();
+    for (const auto& [stage, seconds] : clock.processor_stages()) json["processor_seconds"][stage] = seconds;
     if (scan != nullptr) {
         json["pixels"] = std::int64_t{size.width} * size.height;
         json["flagged_pixels"] = scan->divided_pixels;
@@ -36,11 +40,11 @@ void write_statistics(const std::string& file, const std::string& command, Image
         json["multi_object_pixels"] = scan->multi_object_pixels;
         json["polygons"] = scan->faces;
         json["parts"] = scan->parts;
-        json["samples"] = 0;  // areas are exact: nothing but water is sampled
+        json["samples"] = scan->samples;
     }
     if (water != nullptr && water->pixels > 0) {
         const auto pixels = static_cast<double>(water->pixels);
-        json["samples"] = water->samples;
+        json["samples"] = json["samples"].get<std::uint64_t>() + water->samples;
         nlohmann::ordered_json& own = json["water"];
         own["pixels"] = water->pixels;
         own["mixed_pixels"] = water->mixed_pixels;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <chrono>
+#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,12 +20,15 @@ class StageClock {
     void note(const std::string& stage, double seconds) { stages_.emplace_back(stage, seconds); }
     double total() const;
     const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
+    /// Of all threads together, of the stages that `ended`.
+    const std::vector<std::pair<std::string, double>>& processor_stages() const { return processor_stages_; }
 
   private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point last_ = begin_;
-    std::vector<std::pair<std::string, double>> stages_;
+    std::clock_t last_spent_ = std::clock();
+    std::vector<std::pair<std::string, double>> stages_, processor_stages_;
 };
 
 /// Writes the statistics of a run as JSON (--stats); does nothing for an empty name.

@@ -93,7 +93,15 @@ RenderedPicture render_by(const Method& method, const Scene& scene, const Geomet
     }
     const ProjectedFaces faces = project_faces(geometry, scene.camera);
     const FacesInView view(geometry, faces, scene.camera);
-    return render_bands(scene, geometry, faces, makers(method, view, options), options.render);
+    RenderedPicture picture =
+        render_bands(scene, geometry, faces, makers(method, view, options), options.render);
+    const ImageSize size = scene.camera.size;
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+    if (method.kind == Method::Kind::None) picture.scan.samples = pixels;
+    if (method.kind == Method::Kind::Grid || method.kind == Method::Kind::Random)
+        picture.scan.samples = pixels * static_cast<std::uint64_t>(method.count);
+    return picture;
 }
 
 }  // namespace keikan::baseline

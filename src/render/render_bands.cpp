@@ -25,6 +25,18 @@ void put_pixels_together(std::vector<WaterPoint>& points) {
     });
 }
 
+void count(const ScanBand& band, ScanStatistics& counted) {
+    counted.parts += band.parts.size();
+    for (const DividedPixel& pixel : band.divided) {
+        ++(pixel.division == Division::ExactAreas ? counted.divided_pixels : counted.scanline_pixels);
+        const auto object = [&](std::uint32_t part) { return band.faces[band.parts[part].face].object; };
+        bool several = pixel.background > 0;
+        for (std::uint32_t p = pixel.part_begin; p < pixel.part_end; ++p)
+            several |= object(p) != object(pixel.part_begin);
+        counted.multi_object_pixels += several;
+    }
+}
+
 }  // namespace
 
 RenderedPicture render_bands(const Scene& scene, const Geometry& geometry, const ProjectedFaces& faces,
@@ -59,6 +71,7 @@ RenderedPicture render_bands(const Scene& scene, const Geometry& geometry, const
             painter->paint(bench.points, water_of, picture.image);
         },
         [&](std::size_t, std::size_t slot) {
+            count(benches[slot].band, picture.scan);
             if (options.after_band) options.after_band(benches[slot].band);
             if (options.after_rows) options.after_rows(benches[slot].band.rows);
         });

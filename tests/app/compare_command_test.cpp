@@ -96,6 +96,13 @@ TEST_CASE("keikan render: every method makes a picture, and what is none is refu
         CHECK_FALSE(run.out.empty());
         CHECK(run.out != exact);
     }
+    const std::string stats = folder / "stats.json";
+    REQUIRE(run_keikan(start + "grid:4 --stats " + stats).exit_code == 0);
+    const auto told = nlohmann::json::parse(contents(stats));
+    CHECK(told["samples"] == 40 * 26 * 4);
+    CHECK(told["flagged_pixels"] == 0);
+    CHECK(told["scanline_pixels"].get<int>() > 100);
+    CHECK(told["processor_seconds"]["render"].get<double>() >= 0);
     CHECK(run_keikan(start + "random:4 --seed 2").out != run_keikan(start + "random:4 --seed 3").out);
     for (const std::string wrong : {"multiscan", "grid:0", "random:x", "kato:exact"}) {
         const Run run = run_keikan(start + wrong);

@@ -35,6 +35,7 @@ struct ScanStatistics {
     std::uint64_t multi_object_pixels =
         0;  ///< divided pixels that show more than one object, or background too
     std::uint64_t parts = 0;
+    std::uint64_t samples = 0;  ///< places looked at, by methods that sample: exact areas need none
     double seconds_project = 0, seconds_bin = 0, seconds_divide = 0;
 };
 
