@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keikan/baseline/multi_scanning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 

@@ -64,19 +64,20 @@ PacketRays::PacketRays(const FacesInView& view) : hierarchy_(std::make_unique<Hi
             h.face_of.push_back(f);
         }
     }
-    vertices.reserve(vertices.size() + 1);  // Embree reads 16 bytes at the last vertex, too
-    RTCGeometry mesh = rtcNewGeometry(h.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* const vertex = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                 sizeof(Vertex), vertices.size());
-    auto* const triangle = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                   sizeof(Triangle), triangles.size());
-    std::copy(vertices.begin(), vertices.end(), static_cast<Vertex*>(vertex));
-    std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(triangle));
-    rtcCommitGeometry(mesh);
     h.scene = rtcNewScene(h.device);
     rtcSetSceneFlags(h.scene, RTC_SCENE_FLAG_ROBUST);
-    rtcAttachGeometry(h.scene, mesh);
-    rtcReleaseGeometry(mesh);
+    if (!triangles.empty()) {
+        RTCGeometry mesh = rtcNewGeometry(h.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* const vertex = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                     sizeof(Vertex), vertices.size());
+        auto* const triangle = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                       sizeof(Triangle), triangles.size());
+        std::copy(vertices.begin(), vertices.end(), static_cast<Vertex*>(vertex));
+        std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(triangle));
+        rtcCommitGeometry(mesh);
+        rtcAttachGeometry(h.scene, mesh);
+        rtcReleaseGeometry(mesh);
+    }
     rtcCommitScene(h.scene);
     KEIKAN_CHECK(rtcGetDeviceError(h.device) == RTC_ERROR_NONE, "Embree could not build its hierarchy");
 }

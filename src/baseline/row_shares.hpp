@@ -32,9 +32,9 @@ void add_share(std::vector<Share>& shares, std::uint32_t face, double weight, do
 void put_pixel(BandBuilder& builder, int row, int x, std::span<const Share> shares, double total,
                std::vector<SeenPart>& parts);
 
-/// Weights are sums of at most a few thousand numbers near 1: what they lack of a whole pixel by rounding is
-/// less than this (2^13 sums of 2^-53, times eight).
-inline constexpr double kShareRounding = 0x1p-37;
+/// What a pixel's weights may lack of its whole by rounding, as a share of it: each of at most 2^23 additions
+/// (kMostSamples lines, eight stretches in the pixel) rounds by at most 2^-53 of the sum.
+inline constexpr double kShareRounding = 0x1p-30;
 
 /// What the lines of one row of pixels have found.
 class RowShares {

@@ -61,6 +61,20 @@ TEST_CASE("render_by: catmull's picture is kato's under outline extraction, byte
     CHECK(bytes("catmull") != bytes("kato:paper"));
 }
 
+TEST_CASE("render_by: where nothing is in view, every method shows the background", "[baseline]") {
+    Scene scene = small_hill();
+    const Geometry geometry = build_geometry(scene);
+    scene.camera.look_along({0, 0, 1});
+    Image<Rgb> sky;
+    for (const std::string name :
+         {"kato", "none", "multiscan:2", "orthogonal:2", "catmull", "grid:4", "random:4"}) {
+        const Image<Rgb> image = render_by(method_of(name), scene, geometry).image;
+        if (sky.width() == 0) sky = image;
+        INFO(name);
+        CHECK(image == sky);
+    }
+}
+
 TEST_CASE("render_by (1): the number of threads changes nothing", "[baseline][threads]") {
     const Scene scene = small_hill();
     const Geometry geometry = build_geometry(scene);
