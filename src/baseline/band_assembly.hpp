@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,5 +19,16 @@ void finish_band(BandBuilder& builder, const FacesInView& view, ScanBand& band);
 /// `weight`.
 void look_at_water(std::span<const Stretch> seen, double y, double weight, const FacesInView& view,
                    std::vector<WaterPoint>& water);
+
+/// Makers that own a `Method`, made from these arguments, each.
+template <typename Method, typename... Arguments>
+std::function<BandMaker()> makers_of(const Arguments&... arguments) {
+    return [=]() -> BandMaker {
+        return [method = std::make_shared<Method>(arguments...)](BandRows rows, ScanBand& band,
+                                                                 std::vector<WaterPoint>& water) {
+            (*method)(rows, band, water);
+        };
+    };
+}
 
 }  // namespace keikan::baseline

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <memory>
 
 #include "band_assembly.hpp"
 #include "keikan/clip/visible_areas.hpp"
@@ -135,12 +135,7 @@ class ExactEverywhere {
 }  // namespace
 
 std::function<BandMaker()> exact_everywhere(const FacesInView& view) {
-    return [&view]() -> BandMaker {
-        return [method = std::make_shared<ExactEverywhere>(view)](BandRows rows, ScanBand& band,
-                                                                  std::vector<WaterPoint>& water) {
-            (*method)(rows, band, water);
-        };
-    };
+    return makers_of<ExactEverywhere>(std::cref(view));
 }
 
 }  // namespace keikan::baseline

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <functional>
 
 #include "band_assembly.hpp"
 #include "keikan/support/check.hpp"
@@ -98,22 +98,12 @@ class MultiScanning {
 }  // namespace
 
 std::function<BandMaker()> point_sampling(const FacesInView& view) {
-    return [&view]() -> BandMaker {
-        return [method = std::make_shared<PointSampling>(view)](BandRows rows, ScanBand& band,
-                                                                std::vector<WaterPoint>& water) {
-            (*method)(rows, band, water);
-        };
-    };
+    return makers_of<PointSampling>(std::cref(view));
 }
 
 std::function<BandMaker()> multi_scanning(const FacesInView& view, int lines) {
     KEIKAN_CHECK(lines >= 1, "multi-scanning with " << lines << " lines");
-    return [&view, lines]() -> BandMaker {
-        return [method = std::make_shared<MultiScanning>(view, lines)](BandRows rows, ScanBand& band,
-                                                                       std::vector<WaterPoint>& water) {
-            (*method)(rows, band, water);
-        };
-    };
+    return makers_of<MultiScanning>(std::cref(view), lines);
 }
 
 }  // namespace keikan::baseline

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <memory>
 
 #include "band_assembly.hpp"
 #include "keikan/support/check.hpp"
@@ -233,12 +233,7 @@ class OrthogonalScanlines {
 
 std::function<BandMaker()> orthogonal_scanlines(const FacesInView& view, int lines) {
     KEIKAN_CHECK(lines >= 1, "orthogonal scanlines with " << lines << " lines");
-    return [&view, lines]() -> BandMaker {
-        return [method = std::make_shared<OrthogonalScanlines>(view, lines)](BandRows rows, ScanBand& band,
-                                                                             std::vector<WaterPoint>& water) {
-            (*method)(rows, band, water);
-        };
-    };
+    return makers_of<OrthogonalScanlines>(std::cref(view), lines);
 }
 
 }  // namespace keikan::baseline

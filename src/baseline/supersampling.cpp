@@ -2,6 +2,7 @@
 #include "keikan/baseline/supersampling.hpp"
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -19,11 +20,12 @@ constexpr std::uint32_t kPlaceInCell = 11;  ///< what the random numbers are for
 
 class Supersampling {
   public:
-    Supersampling(const FacesInView& view, const SupersamplingOptions& options,
+    Supersampling(const FacesInView& view, std::shared_ptr<const SupersamplingOptions> options,
                   std::shared_ptr<const PacketRays> rays)
         : view_(view),
-          options_(options),
-          cells_(sample_cells(options.samples)),
+          kept_(std::move(options)),
+          options_(*kept_),
+          cells_(sample_cells(options_.samples)),
           rays_(std::move(rays)),
           size_(view.camera().size),
           builder_(view.faces().size()) {}
@@ -92,6 +94,7 @@ class Supersampling {
     }
 
     const FacesInView& view_;
+    std::shared_ptr<const SupersamplingOptions> kept_;
     const SupersamplingOptions& options_;
     SampleCells cells_;
     std::shared_ptr<const PacketRays> rays_;
@@ -113,12 +116,7 @@ std::function<BandMaker()> supersampling(const FacesInView& view, const Supersam
     KEIKAN_CHECK(options.samples >= 1, "supersampling with " << options.samples << " samples");
     const auto rays = std::make_shared<const PacketRays>(view);
     const auto kept = std::make_shared<const SupersamplingOptions>(options);
-    return [&view, kept, rays]() -> BandMaker {
-        return [kept, method = std::make_shared<Supersampling>(view, *kept, rays)](
-                   BandRows rows, ScanBand& band, std::vector<WaterPoint>& water) {
-            (*method)(rows, band, water);
-        };
-    };
+    return makers_of<Supersampling>(std::cref(view), kept, rays);
 }
 
 }  // namespace keikan::baseline

@@ -42,6 +42,8 @@ void find_truth(const Scene& scene, const Geometry& geometry, const ComparisonOp
     method.render.water.mode = WaterMode::Fixed;
     method.render.water.fixed = options.reference_samples;
     method.render.water.fixed_sampler = Sampler::Sobol;
+    // Other points than kato's, which would be some of the truth's and share its noise.
+    method.render.water.seed = ~options.water.seed;
     const Kind kind = comparison.water ? Kind::Kato : Kind::Catmull;
     comparison.truth = render_by({kind, 1, Extraction::Outline}, scene, geometry, method).image;
     comparison.truth_is = comparison.water

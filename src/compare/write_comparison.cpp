@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "keikan/compare/report.hpp"
+#include "keikan/image/exr_file.hpp"
 #include "keikan/image/png_file.hpp"
 #include "keikan/support/atomic_file.hpp"
 #include "sheets.hpp"
@@ -35,6 +36,7 @@ void write_comparison(const std::filesystem::path& folder, const std::string& sc
     write_whole_file(folder / "table.md", comparison_table(scene, comparison, sequence));
     write_whole_file(folder / "plot.svg", comparison_plot(scene, comparison));
     write_png(folder / "truth.png", comparison.truth);
+    write_exr(folder / "truth.exr", exr_picture(comparison.truth));
     std::vector<LabelledPicture> pictures{{"exact", &comparison.truth}};
     for (const MethodResult& result : comparison.methods) {
         const std::string name = file_name(result.method);

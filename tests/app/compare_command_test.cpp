@@ -36,7 +36,7 @@ TEST_CASE("keikan compare: a table, a summary, a plot and pictures of every meth
         CHECK(keikan::read_png(out + "/" + name + ".png").size() == keikan::ImageSize{48, 31});
         CHECK(std::filesystem::exists(out + "/" + name + ".error.png"));
     }
-    for (const std::string name : {"plot.svg", "inset.png", "frames.png", "truth.png"})
+    for (const std::string name : {"plot.svg", "inset.png", "frames.png", "truth.png", "truth.exr"})
         CHECK(std::filesystem::exists(out + "/" + name));
 }
 

@@ -91,7 +91,7 @@ struct Comparison {
 /// and the colour of each visible part at its centroid: the picture that all methods tend to. A method's
 /// error is thus that of its areas, and nothing of shading is in it but where a method shades a part
 /// elsewhere than at its centroid. Where water is drawn by rays, the truth divides pixels by kato's exact
-/// areas and takes reference_samples of the water.
+/// areas and takes reference_samples of the water, other ones than kato's.
 ///
 /// Equal quality is looked for in each kind of method with an N that is among the methods, if kato is, too: N
 /// is doubled (samples: 1, 4, 16, ... so that cells stay square) until the goal is met or search_to exceeded;

@@ -27,9 +27,10 @@ struct ReportOptions {
     std::optional<PixelIndex> inset = {};  ///< upper left corner
 };
 
-/// Writes into the folder, which is made where it is missing: compare.json, table.md, plot.svg, truth.png, a
-/// picture NAME.png and an error picture NAME.error.png for each method (':' becomes '-'), inset.png (four
-/// times enlarged), and frames.png if there is a sequence.
+/// Writes into the folder, which is made where it is missing: compare.json, table.md, plot.svg, truth.png and
+/// truth.exr (for --reference), a picture NAME.png and an error picture NAME.error.png for each method (':'
+/// becomes '-'), inset.png (four times enlarged), and frames.png if there is a sequence.
+///
 /// Errors: InputError naming a file that cannot be written.
 void write_comparison(const std::filesystem::path& folder, const std::string& scene,
                       const Comparison& comparison, const std::optional<Sequence>& sequence,
