@@ -83,16 +83,14 @@ endfunction()
 
 # keikan_tests(clip SOURCES a_test.cpp ... LINK keikan::clip ...) makes the Catch2 program
 # keikan_clip_tests and one CTest entry for it. keikan_test_main holds Catch2's main, compiled once.
-# APART: its files use the same names for different things, and are compiled one by one.
+# Its files are compiled together, so they do not use one name for different things.
 function(keikan_tests name)
-  cmake_parse_arguments(arg "APART" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   set(target keikan_${name}_tests)
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE keikan_test_main keikan_warnings ${arg_LINK})
   target_compile_definitions(${target} PRIVATE KEIKAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   keikan_optimise_lightly(${target})
-  if(NOT arg_APART)
-    keikan_compile_together(${target})
-  endif()
+  keikan_compile_together(${target})
   add_test(NAME ${name} COMMAND ${target})
 endfunction()

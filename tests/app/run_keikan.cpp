@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 
 #include "../support/scratch_folder.hpp"
 
@@ -28,9 +27,4 @@ Run run_keikan(const std::string& arguments, const std::string& input) {
 
 std::string hill() {
     return KEIKAN_SOURCE_DIR "/data/scenes/hill.json";
-}
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }

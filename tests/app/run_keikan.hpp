@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <filesystem>
 #include <string>
+
+#include "../support/file_contents.hpp"
 
 /// What a run of the program left behind.
 struct Run {
@@ -17,5 +18,3 @@ Run run_keikan(const std::string& arguments, const std::string& input = "");
 
 /// data/scenes/hill.json, the smallest scene.
 std::string hill();
-
-std::string contents(const std::filesystem::path& file);

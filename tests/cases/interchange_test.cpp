@@ -19,7 +19,7 @@ using namespace keikan;
 namespace {
 
 template <typename Read>
-std::string complaint(Read read) {
+std::string complaint_of(Read read) {
     try {
         read();
     } catch (const InputError& error) {
@@ -29,11 +29,11 @@ std::string complaint(Read read) {
 }
 
 std::string wkt_complaint(const std::string& text) {
-    return complaint([&] { polygons_from_wkt(text, "a.wkt"); });
+    return complaint_of([&] { polygons_from_wkt(text, "a.wkt"); });
 }
 
 std::string geojson_complaint(const std::string& text) {
-    return complaint([&] { polygons_from_geojson(text, "a.geojson"); });
+    return complaint_of([&] { polygons_from_geojson(text, "a.geojson"); });
 }
 
 std::vector<PixelCase> cases_of(const std::string& text, CaseFormat format) {
@@ -211,7 +211,7 @@ TEST_CASE("case_reader: a case is a geometry or a document; what is left out has
 
 TEST_CASE("case_reader: what no pixel case can be is refused with its line", "[cases][interchange][errors]") {
     const auto refused = [](const std::string& text, CaseFormat format) {
-        return complaint([&] { cases_of(text, format); });
+        return complaint_of([&] { cases_of(text, format); });
     };
     CHECK(refused("\nPOLYGON ((0 0, 2 0, 2 2, 1 0.5, 0 0))", CaseFormat::Wkt) ==
           "cases:2: polygon 0 is not convex");

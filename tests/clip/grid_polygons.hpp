@@ -10,10 +10,10 @@
 namespace keikan::test {
 
 /// Small integers and the crossing points of lines through them: 64 bits hold every sum here exactly.
-using Rational = boost::rational<long long>;
+using GridRational = boost::rational<long long>;
 
 struct RationalPoint {
-    Rational x, y;
+    GridRational x, y;
 };
 using RationalRing = std::vector<RationalPoint>;
 
@@ -21,17 +21,18 @@ using RationalRing = std::vector<RationalPoint>;
 inline RationalRing rational(std::span<const Point> ring) {
     RationalRing result;
     for (const Point p : ring)
-        result.push_back({Rational(static_cast<long long>(p.x)), Rational(static_cast<long long>(p.y))});
+        result.push_back(
+            {GridRational(static_cast<long long>(p.x)), GridRational(static_cast<long long>(p.y))});
     return result;
 }
 
-inline Rational cross(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
+inline GridRational cross(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
 /// Of a ring that may wind around points any number of times: its area with multiplicity.
-inline Rational area(const RationalRing& ring) {
-    Rational twice = 0;
+inline GridRational area(const RationalRing& ring) {
+    GridRational twice = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += cross(ring[0], ring[i], ring[i + 1]);
     return twice / 2;
 }
@@ -42,10 +43,10 @@ inline RationalRing half_plane(const RationalRing& ring, const RationalPoint& a,
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const RationalPoint& p = ring[i];
         const RationalPoint& q = ring[(i + 1) % ring.size()];
-        const Rational s = cross(a, b, p), t = cross(a, b, q);
+        const GridRational s = cross(a, b, p), t = cross(a, b, q);
         if (s >= 0) result.push_back(p);
         if ((s > 0 && t < 0) || (s < 0 && t > 0)) {
-            const Rational k = s / (s - t);
+            const GridRational k = s / (s - t);
             result.push_back({p.x + k * (q.x - p.x), p.y + k * (q.y - p.y)});
         }
     }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "area_of.hpp"
 #include "grid_polygons.hpp"
 #include "keikan/clip/published_clipper.hpp"
 
@@ -16,13 +17,6 @@ namespace {
 /// Of coordinates up to 3: a few crossing points, each off by kCrossingError times an extent of 3, along
 /// edges that are no longer than 3 sqrt 2.
 constexpr double kGridAreaError = 10 * 3 * 4.3 * kCrossingError;
-
-double area_of(const SignedRings& rings) {
-    double sum = 0;
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        sum += rings.sign(i) * twice_signed_area(rings.ring(i)) / 2;
-    return sum;
-}
 
 SignedRings difference(const Ring& subject, const Ring& clip) {
     RingDifference subtract(IntersectionClassifier::Lattice::Doubles);
@@ -75,7 +69,7 @@ long wrong_pairs(const std::vector<Ring>& polygons, AreaOfDifference area_of_dif
     for (const Ring& ring : polygons) exact.push_back(rational(ring));
     long wrong = 0;
     for (std::size_t a = 0; a < polygons.size(); ++a) {
-        const Rational whole = area(exact[a]);
+        const GridRational whole = area(exact[a]);
         for (std::size_t b = 0; b < polygons.size(); ++b) {
             const double truth = boost::rational_cast<double>(whole - area(intersection(exact[a], exact[b])));
             wrong += std::abs(area_of_difference(polygons[a], polygons[b]) - truth) > kGridAreaError;
@@ -168,8 +162,9 @@ TEST_CASE(
             if (first.empty() || convex) continue;
             const RationalRing both = intersection(exact[a], exact[b]);
             for (std::size_t c = (a + b) % 9; c < polygons.size(); c += 9) {
-                const Rational truth = area(exact[a]) - area(both) - area(intersection(exact[a], exact[c])) +
-                                       area(intersection(both, exact[c]));
+                const GridRational truth = area(exact[a]) - area(both) -
+                                           area(intersection(exact[a], exact[c])) +
+                                           area(intersection(both, exact[c]));
                 ++second_clips;
                 wrong += std::abs(area_of(difference(first, polygons[c])) -
                                   boost::rational_cast<double>(truth)) > kGridAreaError;

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "answers.hpp"
+#include "area_of.hpp"
 #include "grid_polygons.hpp"
-#include "keikan/clip/ring_difference.hpp"
 #include "lattice_line.hpp"
 
 using namespace keikan;
@@ -41,13 +41,6 @@ std::vector<Ring> subjects() {
 
 auto named(const Contact& c) {
     return std::tuple(c.kind, c.turn, c.subject, c.clip);
-}
-
-double area_of(const SignedRings& rings) {
-    double sum = 0;
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        sum += rings.sign(i) * twice_signed_area(rings.ring(i)) / 2;
-    return sum;
 }
 
 }  // namespace
@@ -168,11 +161,11 @@ TEST_CASE("classify_intersections: rings apart have nothing in common, those wit
     long apart = 0, within = 0, open = 0, open_with_nothing_in_common = 0;
     for (const Ring& a : grid_polygons(3, true))
         for (const Ring& b : grid_polygons(3, true)) {
-            const Rational common = area(intersection(rational(a), rational(b)));
+            const GridRational common = area(intersection(rational(a), rational(b)));
             switch (classify.position(a, b)) {
                 case Position::Apart:
                     ++apart;
-                    REQUIRE(common == Rational(0));
+                    REQUIRE(common == GridRational(0));
                     break;
                 case Position::Within:
                     ++within;
@@ -180,7 +173,7 @@ TEST_CASE("classify_intersections: rings apart have nothing in common, those wit
                     break;
                 case Position::Open: {  // an edge of the subject alone may keep them apart: then it is Open
                     ++open;
-                    open_with_nothing_in_common += common == Rational(0);
+                    open_with_nothing_in_common += common == GridRational(0);
                     REQUIRE(common != area(rational(a)));
                     const auto contacts = classify.contacts();
                     REQUIRE(std::ranges::equal(contacts, classify_all(a, b)));

@@ -5,16 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
+#include "../support/file_contents.hpp"
 #include "../support/scratch_folder.hpp"
 
 namespace {
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// `keikan-verify convert` in `folder`; its complaint is left in the file err.
 int convert(const ScratchFolder& folder, const std::string& arguments) {

@@ -9,24 +9,18 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <thread>
 
+#include "../support/file_contents.hpp"
 #include "../support/scratch_folder.hpp"
 
 namespace {
 
 using nlohmann::json;
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// keikan-verify on an engine with many findings, saving into `folder`.
 class Campaign {

@@ -2,9 +2,8 @@
 #include "keikan/image/exr_file.hpp"
 
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 
+#include "../support/file_contents.hpp"
 #include "../support/scratch_folder.hpp"
 #include "keikan/support/atomic_file.hpp"
 #include "keikan/support/check.hpp"
@@ -25,11 +24,6 @@ ExrPicture example() {
     picture.channels.emplace("coverage.tower-3", depth);
     picture.metadata = {{"filter", "box, one pixel"}, {"scene", "ridge_line.json"}};
     return picture;
-}
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace

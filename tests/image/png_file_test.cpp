@@ -2,10 +2,9 @@
 #include "keikan/image/png_file.hpp"
 
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
+#include "../support/file_contents.hpp"
 #include "../support/scratch_folder.hpp"
 #include "keikan/image/srgb.hpp"
 #include "keikan/support/atomic_file.hpp"
@@ -26,11 +25,6 @@ Image<Rgb> speckles(ImageSize size) {
     };
     for (Rgb& colour : image.values()) colour = {next(), next(), 1.1f * next() - 0.05f};
     return image;
-}
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace

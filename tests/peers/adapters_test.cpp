@@ -3,15 +3,13 @@
 
 #include "keikan/support/check.hpp"
 #include "peers/peer.hpp"
+#include "planted.hpp"
 
 using namespace keikan;
 using namespace keikan::peers;
+using namespace keikan::peers::test;
 
 namespace {
-
-Ring box(double x0, double y0, double x1, double y1) {
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 Answer answer_of(const Peer& peer, const PixelCase& pixel_case) {
     Answer answer;

@@ -11,13 +11,10 @@
 
 using namespace keikan;
 using namespace keikan::peers;
+using namespace keikan::peers::test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-Ring box(double x0, double y0, double x1, double y1) {
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 PixelCase five_boxes() {
     PixelCase made;

@@ -74,10 +74,6 @@ ScanOptions paper_rule(double slope = 0.25) {
     return options;
 }
 
-std::size_t at_pixel(const Camera& camera, int x, int y) {
-    return static_cast<std::size_t>(y * camera.size.width + x);
-}
-
 }  // namespace
 
 TEST_CASE("paper extraction: lengths along the scanline are those of a slow reference", "[scan][paper]") {

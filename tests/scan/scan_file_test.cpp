@@ -13,6 +13,8 @@
 #include "../../src/scan/band_check.hpp"
 #include "../../src/scan/scan_file_checksum.hpp"
 #include "../../src/scan/scan_file_layout.hpp"
+#include "../support/file_contents.hpp"
+#include "../support/scratch_folder.hpp"
 #include "keikan/support/input_error.hpp"
 #include "small_scenes.hpp"
 
@@ -21,22 +23,6 @@ using namespace keikan::small_scenes;
 using namespace keikan::scan_file;
 
 namespace {
-
-/// A folder of its own, gone at the end.
-struct TemporaryFolder {
-    std::filesystem::path path;
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "keikan_scan_XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path); }
-};
-
-std::string bytes_of_file(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Written over what is there, which is many times faster than a new file on some file systems.
 void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
@@ -118,7 +104,7 @@ std::string forged(std::string bytes, const std::function<void(std::string& band
 }  // namespace
 
 TEST_CASE("scan file: what was written is read, bit for bit", "[scan_file]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     for (const Extraction extraction : {Extraction::Outline, Extraction::Paper}) {
         const Contents picture = small_picture(extraction);
         CHECK(contents_of(write(picture, folder.path / "a.scan")) == picture);
@@ -131,7 +117,7 @@ TEST_CASE("scan file: what was written is read, bit for bit", "[scan_file]") {
 }
 
 TEST_CASE("scan file: it appears when it is finished, and not before", "[scan_file]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Contents picture = small_picture();
     const auto file = folder.path / "a.scan";
     {
@@ -143,8 +129,8 @@ TEST_CASE("scan file: it appears when it is finished, and not before", "[scan_fi
 }
 
 TEST_CASE("scan file: a file cut off anywhere is refused", "[scan_file][hostile]") {
-    const TemporaryFolder folder;
-    const std::string bytes = bytes_of_file(write(small_picture(), folder.path / "a.scan"));
+    const ScratchFolder folder;
+    const std::string bytes = contents(write(small_picture(), folder.path / "a.scan"));
     const auto cut = folder.path / "cut.scan";
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         write_bytes(cut, bytes.substr(0, length));
@@ -155,9 +141,9 @@ TEST_CASE("scan file: a file cut off anywhere is refused", "[scan_file][hostile]
 }
 
 TEST_CASE("scan file: a single flipped bit is found, wherever it is", "[scan_file][hostile]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto damaged = write(small_picture(), folder.path / "a.scan");
-    const std::string bytes = bytes_of_file(damaged);
+    const std::string bytes = contents(damaged);
     std::fstream file(damaged, std::ios::binary | std::ios::in | std::ios::out);
     const auto put = [&](std::size_t at, int value) {
         file.seekp(static_cast<std::streamoff>(at)).put(static_cast<char>(value)).flush();
@@ -176,9 +162,9 @@ TEST_CASE("scan file: a single flipped bit is found, wherever it is", "[scan_fil
 }
 
 TEST_CASE("scan file: random damage is found or does no harm", "[scan_file][hostile]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Contents picture = small_picture();
-    const std::string bytes = bytes_of_file(write(picture, folder.path / "a.scan"));
+    const std::string bytes = contents(write(picture, folder.path / "a.scan"));
     const auto damaged = folder.path / "damaged.scan";
     std::mt19937 random(1);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -195,8 +181,8 @@ TEST_CASE("scan file: random damage is found or does no harm", "[scan_file][host
 
 TEST_CASE("scan file: damage under right checksums is refused, or is a band fit for shading",
           "[scan_file][hostile]") {
-    const TemporaryFolder folder;
-    const std::string bytes = bytes_of_file(write(small_picture(), folder.path / "a.scan"));
+    const ScratchFolder folder;
+    const std::string bytes = contents(write(small_picture(), folder.path / "a.scan"));
     const auto file = folder.path / "forged.scan";
     std::mt19937 random(2);
     int refused = 0;
@@ -225,8 +211,8 @@ TEST_CASE("scan file: damage under right checksums is refused, or is a band fit 
 
 TEST_CASE("scan file: counts that ask for more than the file holds ask for no memory",
           "[scan_file][hostile]") {
-    const TemporaryFolder folder;
-    const std::string bytes = bytes_of_file(write(small_picture(), folder.path / "a.scan"));
+    const ScratchFolder folder;
+    const std::string bytes = contents(write(small_picture(), folder.path / "a.scan"));
     const auto file = folder.path / "forged.scan";
     for (const std::size_t count :
          {offsetof(BandHead, faces), offsetof(BandHead, spans), offsetof(BandHead, divided),
@@ -242,7 +228,7 @@ TEST_CASE("scan file: counts that ask for more than the file holds ask for no me
 }
 
 TEST_CASE("scan file: errors say which file, where and what", "[scan_file]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto file = folder.path / "a.scan";
     const auto error_of = [&](const std::string& bytes) {
         write_bytes(file, bytes);
@@ -252,7 +238,7 @@ TEST_CASE("scan file: errors say which file, where and what", "[scan_file]") {
     };
     CHECK(error_of("").find("is no scan file") != std::string::npos);
     CHECK(error_of(std::string(1000, 'x')).find("a.scan:offset 0: is no scan file") != std::string::npos);
-    std::string bytes = bytes_of_file(write(small_picture(), file));
+    std::string bytes = contents(write(small_picture(), file));
     std::string newer = bytes;
     newer[8] = 9;
     CHECK(error_of(newer).find("version 9") != std::string::npos);

@@ -15,10 +15,6 @@ using namespace keikan::small_scenes;
 
 namespace {
 
-std::size_t at_pixel(const Camera& camera, int x, int y) {
-    return static_cast<std::size_t>(y * camera.size.width + x);
-}
-
 /// Every pixel of the scan against visible_areas of every face there, and spans against themselves.
 void check_against_visible_areas(const Geometry& geometry, const Camera& camera, double bound) {
     const ProjectedFaces faces = project_faces(geometry, camera);

@@ -35,6 +35,11 @@ inline glm::dvec3 at(const Camera& camera, double x, double y, double depth) {
                : glm::dvec3(x / camera.focal_px, depth, -y / camera.focal_px);
 }
 
+/// The position of pixel (x, y) among all, row by row.
+inline std::size_t at_pixel(const Camera& camera, int x, int y) {
+    return static_cast<std::size_t>(y * camera.size.width + x);
+}
+
 struct Corner {
     double x, y, depth;
 };

@@ -7,35 +7,34 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/scene/scene.hpp"
 #include "keikan/scene/terrain.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
-#include "temporary_folder.hpp"
 
 using namespace keikan;
-using keikan::test::TemporaryFolder;
 using nlohmann::json;
 
 namespace {
 
-const std::filesystem::path kData = std::filesystem::path(KEIKAN_SOURCE_DIR) / "data";
+const std::filesystem::path kShipped = std::filesystem::path(KEIKAN_SOURCE_DIR) / "data";
 
 /// The hill with some objects on it.
 json hill_with(const json& objects) {
-    json document = json::parse(std::ifstream(kData / "scenes/hill.json"));
-    document["terrain"]["grid"] = (kData / "terrain/hill.png").string();
+    json document = json::parse(std::ifstream(kShipped / "scenes/hill.json"));
+    document["terrain"]["grid"] = (kShipped / "terrain/hill.png").string();
     document["materials"]["plain"] = json::object();
     document["objects"] = objects;
     return document;
 }
 
 Geometry built(const json& document) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     return build_geometry(read_scene(folder.write("scene.json", document.dump())));
 }
 
-std::string refusal(const json& document) {
+std::string refusal_to_build(const json& document) {
     try {
         built(document);
     } catch (const InputError& error) {
@@ -46,7 +45,7 @@ std::string refusal(const json& document) {
 }
 
 HeightGrid hill() {
-    return read_height_grid(kData / "terrain/hill.png",
+    return read_height_grid(kShipped / "terrain/hill.png",
                             GridFrame{{-640, -640}, {20, 20}, 0.01, 0, std::nullopt});
 }
 
@@ -123,11 +122,11 @@ TEST_CASE("build_geometry: a tower on a slope stands on four legs that reach the
 
 TEST_CASE("build_geometry: what stands beside the terrain is refused with its place", "[scene][build]") {
     const json tower = {{"type", "tower"}, {"position_m", {700, 0}}, {"materials", {{"steel", "plain"}}}};
-    CHECK(refusal(hill_with(json::array({tower}))).starts_with("scene.json:/objects/0: ("));
+    CHECK(refusal_to_build(hill_with(json::array({tower}))).starts_with("scene.json:/objects/0: ("));
     const json line = {{"type", "power_line"},
                        {"route", {{0, 0}, {700, 0}}},
                        {"materials", {{"steel", "plain"}, {"conductor", "plain"}}}};
-    CHECK(refusal(hill_with(json::array({line}))).starts_with("scene.json:/objects/0: "));
+    CHECK(refusal_to_build(hill_with(json::array({line}))).starts_with("scene.json:/objects/0: "));
 }
 
 TEST_CASE("build_geometry: without a terrain the ground is the plane z = 0", "[scene][build]") {
@@ -144,7 +143,7 @@ TEST_CASE("build_geometry: without a terrain the ground is the plane z = 0", "[s
 TEST_CASE("build_geometry: the scenes of the project are whole", "[scene][build]") {
     for (const char* name : {"hill", "ridge_line", "coast"}) {
         INFO(name);
-        const Scene scene = read_scene(kData / "scenes" / (std::string(name) + ".json"));
+        const Scene scene = read_scene(kShipped / "scenes" / (std::string(name) + ".json"));
         const Geometry geometry = build_geometry(scene);
         REQUIRE(geometry.first_face.size() == geometry.objects.size() + 1);
         std::set<std::string> names;
@@ -170,7 +169,7 @@ TEST_CASE("build_geometry: the scenes of the project are whole", "[scene][build]
 
 TEST_CASE("build_geometry: ridge_line has at least 250,000 faces and 6 towers, seen from below",
           "[scene][build]") {
-    const Scene scene = read_scene(kData / "scenes/ridge_line.json");
+    const Scene scene = read_scene(kShipped / "scenes/ridge_line.json");
     const Geometry geometry = build_geometry(scene);
     CHECK(scene.camera.size == ImageSize{1000, 650});
     CHECK(geometry.first_face.back() >= 250'000);
@@ -200,7 +199,7 @@ TEST_CASE("build_geometry: ridge_line has at least 250,000 faces and 6 towers, s
 }
 
 TEST_CASE("build_geometry: the same bits for any number of threads", "[scene][build]") {
-    const Scene scene = read_scene(kData / "scenes/ridge_line.json");
+    const Scene scene = read_scene(kShipped / "scenes/ridge_line.json");
     const auto with_threads = [&](int threads) {
         const ThreadLimit limit(threads);
         return bits_of(build_geometry(scene));

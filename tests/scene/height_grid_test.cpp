@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/support/input_error.hpp"
-#include "temporary_folder.hpp"
 
 using namespace keikan;
-using keikan::test::TemporaryFolder;
 
 namespace {
 
@@ -80,7 +79,7 @@ TEST_CASE("read_height_grid: a PNG grid stands in its frame, south first", "[sce
 
 TEST_CASE("read_height_grid: an SRTM tile is big-endian, north first, and its name says its place",
           "[scene][terrain]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto file =
         folder.write("n36W085.hgt", hgt([](int c, int r) { return c == 3 && r == 1200 ? -32768 : c - r; }));
     const HeightGrid grid = read_height_grid(file, std::nullopt);
@@ -94,7 +93,7 @@ TEST_CASE("read_height_grid: an SRTM tile is big-endian, north first, and its na
 }
 
 TEST_CASE("read_height_grid: what is no height grid is refused", "[scene][terrain]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const GridFrame frame;
     CHECK_THROWS_AS(read_height_grid(folder / "missing.png", frame), InputError);
     CHECK_THROWS_AS(read_height_grid(folder.write("short.hgt", "abc"), frame), InputError);

@@ -3,17 +3,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "../support/file_contents.hpp"
+#include "../support/scratch_folder.hpp"
 #include "json_node.hpp"
 #include "keikan/scene/height_grid.hpp"
 #include "scene_blocks.hpp"
-#include "temporary_folder.hpp"
 
 using namespace keikan;
-using keikan::test::TemporaryFolder;
 
 namespace {
 
@@ -23,12 +21,7 @@ struct Run {
     std::string err;
 };
 
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-Run keikan_import(const TemporaryFolder& folder, const std::string& arguments) {
+Run keikan_import(const ScratchFolder& folder, const std::string& arguments) {
     const std::string command = std::string("'") + KEIKAN_IMPORT_PROGRAM + "' " + arguments + " > '" +
                                 (folder / "out").string() + "' 2> '" + (folder / "err").string() + "'";
     const int status = std::system(command.c_str());
@@ -41,9 +34,8 @@ std::string quoted(const std::filesystem::path& path) {
 
 /// An ESRI ASCII grid with its frame as .prj beside it: 40 x 30 samples, heights by `height(column, row)`.
 template <typename Height>
-std::filesystem::path ascii_grid(const TemporaryFolder& folder, const std::string& name,
-                                 const std::string& srs, double west, double south, double cell,
-                                 const Height& height) {
+std::filesystem::path ascii_grid(const ScratchFolder& folder, const std::string& name, const std::string& srs,
+                                 double west, double south, double cell, const Height& height) {
     std::string text = "ncols 40\nnrows 30\nxllcorner " + std::to_string(west) + "\nyllcorner " +
                        std::to_string(south) + "\ncellsize " + std::to_string(cell) +
                        "\nNODATA_value -9999\n";
@@ -72,7 +64,7 @@ HeightGrid read_back(const std::filesystem::path& grid) {
 
 TEST_CASE("keikan-import: whole metres in a metric frame come back as they were, voids filled",
           "[scene][import]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto height = [](int c, int r) { return c == 5 && r == 7 ? -9999 : 100 + 3 * c - 2 * r; };
     const auto source = ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, height);
     const Run run = keikan_import(folder, "dem " + quoted(source) + " -o " + quoted(folder / "grid.png"));
@@ -98,7 +90,7 @@ TEST_CASE("keikan-import: whole metres in a metric frame come back as they were,
 
 TEST_CASE("keikan-import: degrees become the metres of their UTM zone", "[scene][import]") {
     // A plane in longitude and latitude around 138.6 E, 35.4 N, in zone 54 (central meridian 141 E).
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto source =
         ascii_grid(folder, "fuji", kWgs84, 138.5, 35.3, 0.005, [](int c, int r) { return 50.0 + c + r; });
     const Run run = keikan_import(
@@ -121,7 +113,7 @@ TEST_CASE("keikan-import: degrees become the metres of their UTM zone", "[scene]
 }
 
 TEST_CASE("keikan-import: only a window of the metric frame", "[scene][import]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto source =
         ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, [](int c, int) { return 10.0 * c; });
     const Run run = keikan_import(folder, "dem " + quoted(source) + " -o " + quoted(folder / "grid.png") +
@@ -135,7 +127,7 @@ TEST_CASE("keikan-import: only a window of the metric frame", "[scene][import]")
 }
 
 TEST_CASE("keikan-import: bad input is one line, exit code 2, and leaves no file", "[scene][import]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto source =
         ascii_grid(folder, "hills", kUtm54N, 380000, 3950000, 25, [](int, int) { return 1.0; });
     const std::string to = " -o " + quoted(folder / "grid.png");

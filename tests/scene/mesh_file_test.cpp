@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/support/input_error.hpp"
 #include "mesh_facts.hpp"
-#include "temporary_folder.hpp"
 
 using namespace keikan;
 using Catch::Matchers::Contains;
@@ -26,7 +26,7 @@ const char* kCubeObj =
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 LoadedMesh load(const std::string& name, const std::string& text, const MeshPlacement& placement = {}) {
-    const test::TemporaryFolder folder;
+    const ScratchFolder folder;
     return read_mesh_file(folder.write(name, text), placement, one_material);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("mesh_file: glTF, with the transform of its nodes", "[scene][mesh_file
 }
 
 TEST_CASE("mesh_file: materials are asked for by their names in the file, once each", "[scene][mesh_file]") {
-    const test::TemporaryFolder folder;
+    const ScratchFolder folder;
     folder.write("m.mtl", "newmtl steel\nKd 0.5 0.5 0.5\nnewmtl glass\nKd 0 0 1\n");
     const auto file = folder.write("m.obj",
                                    "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl steel\nf 1 2 3\n"

@@ -6,12 +6,11 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/scene/scene.hpp"
 #include "keikan/support/input_error.hpp"
-#include "temporary_folder.hpp"
 
 using namespace keikan;
-using keikan::test::TemporaryFolder;
 using nlohmann::json;
 
 namespace {
@@ -40,7 +39,7 @@ json sample() {
 }
 
 Scene read(const json& document, std::optional<ImageSize> size = std::nullopt) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     return read_scene(folder.write("scene.json", document.dump()), size);
 }
 
@@ -218,7 +217,7 @@ TEST_CASE("read_scene: what is wrong is named with its JSON path", "[scene][read
 }
 
 TEST_CASE("read_scene: broken JSON is named with its line", "[scene][read]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto message = [&](const std::string& text) -> std::string {
         try {
             read_scene(folder.write("scene.json", text));
@@ -241,7 +240,7 @@ TEST_CASE("read_scene: broken JSON is named with its line", "[scene][read]") {
 }
 
 TEST_CASE("read_scene: cut off anywhere, a scene is refused", "[scene][read]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string text = sample().dump();
     for (std::size_t length = 0; length < text.size(); length += 7) {
         CHECK_THROWS_AS(read_scene(folder.write("scene.json", text.substr(0, length))), InputError);
@@ -275,8 +274,8 @@ TEST_CASE("geometry_hash: faces, camera, size and material names change it", "[s
 }
 
 TEST_CASE("geometry_hash: the contents of named files change it, their folder does not", "[scene][hash]") {
-    const TemporaryFolder here, there;
-    const auto copy_to = [](const TemporaryFolder& folder) {
+    const ScratchFolder here, there;
+    const auto copy_to = [](const ScratchFolder& folder) {
         std::filesystem::copy_file(kData / "terrain/hill.png", folder / "hill.png");
         std::filesystem::copy_file(kData / "terrain/hill.json", folder / "hill.json");
         json document = json::parse(std::ifstream(kData / "scenes/hill.json"));
@@ -307,7 +306,7 @@ TEST_CASE("build_geometry: an outline that crosses itself is refused with its pl
                                         {"outline_m", {{0, 0}, {2, 2}, {2, 0}, {0, 2}}},
                                         {"level_m", 0},
                                         {"material", "blue"}}});
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Scene scene = read_scene(folder.write("scene.json", document.dump()));
     try {
         build_geometry(scene);
@@ -319,7 +318,7 @@ TEST_CASE("build_geometry: an outline that crosses itself is refused with its pl
 }
 
 TEST_CASE("read_scene: the surface of water is read, and changes no faces", "[scene][water]") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     json document =
         json::parse(R"({"camera": {"position": [0, -9, 5], "target": [0, 0, 0], "horizontal_fov_deg": 50},
         "materials": {"blue": {}}, "objects": [
@@ -369,7 +368,7 @@ TEST_CASE("build_geometry: a concave water outline covers its area, level and fa
                                         {"outline_m", {{0, 0}, {0, 6}, {6, 6}, {6, 0}, {3, 4}}},
                                         {"level_m", 2.5},
                                         {"material", "blue"}}});
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Geometry geometry = build_geometry(read_scene(folder.write("scene.json", document.dump())));
     REQUIRE(geometry.objects.size() == 1);
     CHECK(geometry.objects[0].kind == ObjectKind::Water);

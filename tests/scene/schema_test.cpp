@@ -7,12 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "../support/scratch_folder.hpp"
 #include "keikan/scene/scene.hpp"
 #include "keikan/support/input_error.hpp"
-#include "temporary_folder.hpp"
 
 using namespace keikan;
-using keikan::test::TemporaryFolder;
 using nlohmann::json;
 
 namespace {
@@ -163,7 +162,7 @@ std::vector<json> mutations(const Sample& sample) {
 }
 
 /// The reader's reason to refuse; empty if it does not.
-std::string refusal(const json& document, const TemporaryFolder& folder) {
+std::string refusal(const json& document, const ScratchFolder& folder) {
     try {
         read_scene(folder.write("scene.json", document.dump()));
         return "";
@@ -174,7 +173,7 @@ std::string refusal(const json& document, const TemporaryFolder& folder) {
 
 /// What the schema says of each document; nothing where python3-jsonschema is missing.
 std::optional<std::vector<bool>> schema_verdicts(const std::vector<json>& documents) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::string lines;
     for (const json& document : documents) lines += document.dump() + "\n";
     folder.write("lines", lines);
@@ -226,7 +225,7 @@ TEST_CASE("scene schema: says what the reader says, of samples and of each with 
     }
     const auto verdicts = schema_verdicts(documents);
     if (!verdicts) return;
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::size_t accepted = 0;
     for (std::size_t i = 0; i < documents.size(); ++i) {
         const std::string reason = refusal(documents[i], folder);

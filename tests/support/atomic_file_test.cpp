@@ -3,33 +3,17 @@
 
 #include <unistd.h>
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <iterator>
 
+#include "file_contents.hpp"
 #include "keikan/support/input_error.hpp"
+#include "scratch_folder.hpp"
 
 using namespace keikan;
 namespace fs = std::filesystem;
 
-namespace {
-
-/// An empty folder that goes away with the test.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("keikan-atomic-file-" + std::to_string(getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    long files() const { return std::distance(fs::directory_iterator(path), fs::directory_iterator()); }
-};
-
-std::string contents(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-}  // namespace
-
 TEST_CASE("AtomicFile: the file appears when it is finished, and not before", "[support]") {
-    const Folder folder;
+    const ScratchFolder folder;
     const fs::path file = folder.path / "picture.png";
     AtomicFile out(file);
     out.write("one ");
@@ -43,7 +27,7 @@ TEST_CASE("AtomicFile: the file appears when it is finished, and not before", "[
 }
 
 TEST_CASE("AtomicFile: unfinished work leaves what was there, and nothing else", "[support]") {
-    const Folder folder;
+    const ScratchFolder folder;
     const fs::path file = folder.path / "picture.png";
     write_whole_file(file, "before");
     {
@@ -57,7 +41,7 @@ TEST_CASE("AtomicFile: unfinished work leaves what was there, and nothing else",
 }
 
 TEST_CASE("AtomicFile: a symbolic link keeps pointing at the file that is replaced", "[support]") {
-    const Folder folder;
+    const ScratchFolder folder;
     write_whole_file(folder.path / "real", "before");
     fs::create_symlink("real", folder.path / "link");
     write_whole_file(folder.path / "link", "after");
@@ -66,7 +50,7 @@ TEST_CASE("AtomicFile: a symbolic link keeps pointing at the file that is replac
 }
 
 TEST_CASE("AtomicFile: what cannot be written is bad input that names the file", "[support]") {
-    const Folder folder;
+    const ScratchFolder folder;
     const auto refused = [](const fs::path& file, const std::string& reason) {
         CHECK_THROWS_WITH(write_whole_file(file, "x"), file.string() + ": cannot be written: " + reason);
         CHECK_THROWS_AS(write_whole_file(file, "x"), InputError);

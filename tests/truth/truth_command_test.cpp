@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "../support/file_contents.hpp"
 #include "../support/scratch_folder.hpp"
 #include "keikan/image/exr_file.hpp"
 
@@ -23,12 +23,7 @@ struct Run {
     std::string err;
 };
 
-std::string contents(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-Run truth(const ScratchFolder& folder, const std::string& arguments) {
+Run run_truth(const ScratchFolder& folder, const std::string& arguments) {
     const std::string out = folder / "out", err = folder / "err";
     const std::string command = ">" + out + " 2>" + err + " " KEIKAN_VERIFY_PROGRAM " truth " + arguments;
     const int status = std::system(command.c_str());
@@ -44,7 +39,8 @@ void write(const std::string& file, const std::string& text) {
 TEST_CASE("keikan-verify truth: a scene's coverages; no 16-bit value of the float path is another",
           "[truth][app]") {
     const ScratchFolder folder("truth");
-    const Run run = truth(folder, kHill + " --size 160x104 -o " + (folder / "a.exr").string() + " --quiet");
+    const Run run =
+        run_truth(folder, kHill + " --size 160x104 -o " + (folder / "a.exr").string() + " --quiet");
     REQUIRE(run.exit_code == 0);
     CHECK(run.err.empty());
     const auto summary = nlohmann::json::parse(run.out);
@@ -71,8 +67,8 @@ TEST_CASE("keikan-verify truth: a scene's coverages; no 16-bit value of the floa
 TEST_CASE("keikan-verify truth: the same bytes for any number of threads", "[truth][app]") {
     const ScratchFolder folder("truth");
     for (const std::string threads : {"1", "3"})
-        REQUIRE(truth(folder, kHill + " --size 80x52 --format cryptomatte --quiet --threads " + threads +
-                                  " -o " + (folder / (threads + ".exr")).string())
+        REQUIRE(run_truth(folder, kHill + " --size 80x52 --format cryptomatte --quiet --threads " + threads +
+                                      " -o " + (folder / (threads + ".exr")).string())
                     .exit_code == 0);
     CHECK(contents(folder / "1.exr") == contents(folder / "3.exr"));
 }
@@ -86,7 +82,7 @@ TEST_CASE("keikan-verify truth: layers of polygons, nearest first", "[truth][app
     const std::string layers =
         "--layers " + (folder / "frame.wkt").string() + "," + (folder / "two.geojson").string();
     const Run run =
-        truth(folder, layers + " --window 0,10,12,0 --size 24x20 -o " + (folder / "a.exr").string());
+        run_truth(folder, layers + " --window 0,10,12,0 --size 24x20 -o " + (folder / "a.exr").string());
     REQUIRE(run.exit_code == 0);
     const auto summary = nlohmann::json::parse(run.out);
     CHECK(summary["layers"][0]["covered_pixels"] == 4 * (64 - 16));
@@ -104,7 +100,7 @@ TEST_CASE("keikan-verify truth: what it cannot do it says in one line, and write
     write(folder / "good.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
     const std::string bad = folder / "bad.wkt", good = folder / "good.wkt";
     const auto refused = [&](const std::string& arguments, const std::string& word) {
-        const Run run = truth(folder, arguments);
+        const Run run = run_truth(folder, arguments);
         CAPTURE(arguments, run.err);
         CHECK(run.exit_code == 2);
         CHECK(run.out.empty());
