@@ -48,9 +48,9 @@ endfunction()
 
 # Several sources as one translation unit, for targets whose headers cost more than their code: a third of the
 # compiler's time. Files named after the target stay by themselves (names in them clash with others'). -DKEIKAN_UNITY=OFF compiles every file by itself.
-option(KEIKAN_UNITY "Compile sources of tests and command lines several at a time" ON)
+option(KEIKAN_UNITY "Compile sources whose headers cost most several at a time" ON)
 function(keikan_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${KEIKAN_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${KEIKAN_UNITY} UNITY_BUILD_BATCH_SIZE 8)
   if(ARGN)
     set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()

@@ -13,7 +13,7 @@ namespace {
 
 using namespace cases;
 
-Ring ring_of(const Json& value, const std::string& where) {
+Ring convex_ring_of(const Json& value, const std::string& where) {
     Ring ring;
     for (const Json& point : array_of(value, where)) {
         const std::string at = fmt::format("{}[{}]", where, ring.size());
@@ -28,7 +28,8 @@ PixelCase case_of(const Json& line, long line_number) {
     if (!line.contains("polygons")) throw BadCase("has no \"polygons\"");
     PixelCase result;
     for (const Json& polygon : array_of(line["polygons"], "polygons"))
-        result.polygons.push_back(ring_of(polygon, fmt::format("polygons[{}]", result.polygons.size())));
+        result.polygons.push_back(
+            convex_ring_of(polygon, fmt::format("polygons[{}]", result.polygons.size())));
     read_attributes(line, std::to_string(line_number), result);
     return result;
 }

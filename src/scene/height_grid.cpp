@@ -7,8 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "degree.hpp"
 #include "grey16_png.hpp"
 #include "json_node.hpp"
 #include "keikan/support/input_error.hpp"
@@ -40,7 +40,6 @@ std::optional<int> latitude_in_name(const std::string& stem) {
 glm::dvec2 degree_m(double latitude_deg) {
     constexpr double kEquatorRadius = 6378137, kFlattening = 1 / 298.257223563;
     constexpr double kSquaredEccentricity = kFlattening * (2 - kFlattening);
-    constexpr double kDegree = std::numbers::pi / 180;
     const double sine = std::sin(latitude_deg * kDegree);
     const double root = std::sqrt(1 - kSquaredEccentricity * sine * sine);
     const double prime_vertical = kEquatorRadius / root;

@@ -3,15 +3,14 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
+#include "degree.hpp"
 #include "keikan/scene/sun_position.hpp"
 #include "scene_blocks.hpp"
 
 namespace keikan {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFullFrameWidthMm = 36;
 constexpr int kLargestSide = 65536;
 

@@ -5,15 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
+#include "degree.hpp"
 #include "keikan/scene/sun_position.hpp"
 #include "scene_blocks.hpp"
 
 namespace keikan {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The numbers of a text such as "1997-10-15" or "10:30:00", which must look exactly like `pattern`, where
 /// '0' stands for a digit. Nothing where it does not.

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read_objects.hpp"
+#include "degree.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace keikan {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFarthestM = 1e7;  ///< coordinates beyond a quarter of the Earth's girth are mistakes
 
 glm::dvec2 read_place(const JsonNode& node) {

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "degree.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/wave/wind_sea.hpp"
 #include "scene_blocks.hpp"
 
 namespace keikan {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A compass bearing (0 north, 90 east) as an angle from +x towards +y.
 double angle_of_bearing(double bearing_deg) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keikan/scene/sun_position.hpp"
+#include "degree.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -8,7 +9,6 @@
 namespace keikan {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTerrestrialTimeAheadOfUtcDays = 70.0 / 86400;
 
 /// Days since 2000-01-01 12:00 UTC (Julian day 2451545.0).

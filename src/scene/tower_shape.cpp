@@ -17,12 +17,12 @@ constexpr double kCagePanelShape = 1.2;
 /// Where the four legs meet in a peak their axes are still this far apart: a cap plate.
 constexpr double kPeakWidth = 0.2;
 
-void require(bool holds, const std::string& reason) {
+void require_of_tower(bool holds, const std::string& reason) {
     if (!holds) throw InputError("tower: " + reason);
 }
 
 void require_positive(double value, const char* what) {
-    require(value > 0 && std::isfinite(value), std::string(what) + " must be positive");
+    require_of_tower(value > 0 && std::isfinite(value), std::string(what) + " must be positive");
 }
 
 void require_that_it_stands(const TowerDesign& d) {
@@ -39,29 +39,31 @@ void require_that_it_stands(const TowerDesign& d) {
     require_positive(d.brace_width_top_m, "brace_width_top_m");
     require_positive(d.secondary_width_m, "secondary_width_m");
     for (const double length : d.arm_length_m) require_positive(length, "arm_length_m");
-    require(d.ground_arm_m >= 0 && std::isfinite(d.ground_arm_m), "ground_arm_m must not be negative");
-    require(d.base_width_m >= d.waist_width_m && d.waist_width_m >= d.top_width_m,
-            "its widths must not grow upwards");
-    require(d.top_width_m > 4 * d.leg_width_top_m, "top_width_m leaves no room between the legs");
-    require(d.arm_spacing_m > d.arm_depth_m, "arm_spacing_m must be more than arm_depth_m");
-    require(d.peak_above_arm_m > d.arm_depth_m * (d.ground_arm_m > 0 ? 1.7 : 1.1),
-            "peak_above_arm_m must be well over arm_depth_m");
-    require(d.height_m - d.peak_above_arm_m - 2 * d.arm_spacing_m >= d.waist_width_m,
-            "height_m leaves no room for a body under the lowest arms");
+    require_of_tower(d.ground_arm_m >= 0 && std::isfinite(d.ground_arm_m),
+                     "ground_arm_m must not be negative");
+    require_of_tower(d.base_width_m >= d.waist_width_m && d.waist_width_m >= d.top_width_m,
+                     "its widths must not grow upwards");
+    require_of_tower(d.top_width_m > 4 * d.leg_width_top_m, "top_width_m leaves no room between the legs");
+    require_of_tower(d.arm_spacing_m > d.arm_depth_m, "arm_spacing_m must be more than arm_depth_m");
+    require_of_tower(d.peak_above_arm_m > d.arm_depth_m * (d.ground_arm_m > 0 ? 1.7 : 1.1),
+                     "peak_above_arm_m must be well over arm_depth_m");
+    require_of_tower(d.height_m - d.peak_above_arm_m - 2 * d.arm_spacing_m >= d.waist_width_m,
+                     "height_m leaves no room for a body under the lowest arms");
     for (const double length : d.arm_length_m)
-        require(length > d.waist_width_m, "arms must reach out of the body: arm_length_m");
-    require(d.ground_arm_m == 0 || d.ground_arm_m > d.top_width_m, "ground_arm_m must reach out of the body");
+        require_of_tower(length > d.waist_width_m, "arms must reach out of the body: arm_length_m");
+    require_of_tower(d.ground_arm_m == 0 || d.ground_arm_m > d.top_width_m,
+                     "ground_arm_m must reach out of the body");
     const InsulatorDesign& i = d.insulator;
     require_positive(i.length_m, "insulator length_m");
     require_positive(i.disc_diameter_m, "insulator disc_diameter_m");
-    require(i.discs >= 1 && i.discs <= 200, "insulator discs must be 1 to 200");
-    require(i.length_m < d.arm_spacing_m, "insulator length_m must be less than arm_spacing_m");
+    require_of_tower(i.discs >= 1 && i.discs <= 200, "insulator discs must be 1 to 200");
+    require_of_tower(i.length_m < d.arm_spacing_m, "insulator length_m must be less than arm_spacing_m");
     if (i.kind == InsulatorDesign::Kind::V) {
-        require(i.v_half_width_m > 0 && i.v_half_width_m < i.length_m,
-                "insulator v_half_width_m must be positive and less than its length_m");
+        require_of_tower(i.v_half_width_m > 0 && i.v_half_width_m < i.length_m,
+                         "insulator v_half_width_m must be positive and less than its length_m");
         for (const double length : d.arm_length_m)
-            require(length - 2 * i.v_half_width_m > d.waist_width_m / 2,
-                    "insulator v_half_width_m does not fit under the arms");
+            require_of_tower(length - 2 * i.v_half_width_m > d.waist_width_m / 2,
+                             "insulator v_half_width_m does not fit under the arms");
     }
 }
 

@@ -20,9 +20,9 @@ std::uint64_t seed() {
 }
 
 /// |exact - value| <= error, in rational arithmetic.
-bool encloses(const CertifiedArea& certified, const CGAL::Gmpq& exact) {
-    const CGAL::Gmpq difference = exact - CGAL::Gmpq(certified.value);
-    const CGAL::Gmpq error(certified.error);
+bool encloses(const CertifiedArea& certified, const mpq_class& exact) {
+    const mpq_class difference = exact - mpq_class(certified.value);
+    const mpq_class error(certified.error);
     return difference <= error && -difference <= error;
 }
 
@@ -131,8 +131,8 @@ TEST_CASE("oracle: a change in the last bits of an answer is not enclosed", "[or
         const PixelCase question = sample_pixel("fan", random);
         const auto faces = question.faces();
         auto wrong = areas_by_rational_splitting(question.pixel, faces, question.nearness());
-        wrong.areas[0] += CGAL::Gmpq(1e-15);
-        wrong.background -= CGAL::Gmpq(1e-15);
+        wrong.areas[0] += mpq_class(1e-15);
+        wrong.background -= mpq_class(1e-15);
         noticed += !encloses(certified_areas(question.pixel, faces, question.nearness()), wrong);
     }
     CHECK(noticed == 50);

@@ -23,11 +23,11 @@ SmallPicture named_picture() {
 }
 
 /// The exact coverage of one pixel by every matte, by CGAL's Boolean set operations on all faces.
-std::map<std::uint32_t, CGAL::Gmpq> by_boolean_sets(const SmallPicture& picture, PixelIndex pixel) {
+std::map<std::uint32_t, mpq_class> by_boolean_sets(const SmallPicture& picture, PixelIndex pixel) {
     std::vector<FaceView> faces;
     for (std::size_t i = 0; i < picture.faces.size(); ++i) faces.push_back(picture.faces[i]);
     const oracle::ExactAreas exact = oracle::areas_by_boolean_sets(pixel, faces, Nearness::ByDepth);
-    std::map<std::uint32_t, CGAL::Gmpq> sums;
+    std::map<std::uint32_t, mpq_class> sums;
     for (std::size_t i = 0; i < faces.size(); ++i) {
         std::uint32_t object = 0;
         while (picture.geometry.first_face[object + 1] <= faces[i].id) ++object;

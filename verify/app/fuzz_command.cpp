@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "crosscheck/check_cases.hpp"
+#include "families.hpp"
 #include "fuzz/campaign.hpp"
 #include "fuzz/degenerate_families.hpp"
 #include "keikan/support/input_error.hpp"
@@ -36,23 +37,6 @@ struct FuzzCommand {
     std::uint64_t rational_one_in = crosscheck::CaseCheckOptions().rational_one_in;
     std::uint64_t cgal_one_in = crosscheck::CaseCheckOptions().boolean_sets_one_in;
 };
-
-std::vector<fuzz::Family> families_of(const std::vector<std::string>& names) {
-    std::vector<fuzz::Family> families;
-    for (const std::string& name : names) {
-        if (name == "all") {
-            for (std::size_t f = 0; f < fuzz::kFamilyNames.size(); ++f)
-                families.push_back(static_cast<fuzz::Family>(f));
-        } else if (const auto family = fuzz::family_of(name)) {
-            families.push_back(*family);
-        } else {
-            std::string known;
-            for (const std::string_view k : fuzz::kFamilyNames) known += fmt::format(" {}", k);
-            throw InputError(fmt::format("--family {}: there are only: all{}", name, known));
-        }
-    }
-    return families;
-}
 
 fuzz::DepthChoice depth_of(const std::string& word) {
     for (std::size_t i = 0; i < std::size(fuzz::kDepthChoiceNames); ++i)

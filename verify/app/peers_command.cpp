@@ -15,6 +15,7 @@
 
 #include "commands.hpp"
 #include "crosscheck/error_bounds.hpp"
+#include "families.hpp"
 #include "fuzz/degenerate_families.hpp"
 #include "fuzz/shrink_case.hpp"
 #include "keikan/cases/case_format.hpp"
@@ -42,28 +43,10 @@ struct PeersCommand {
 
 using NextCase = std::function<std::optional<PixelCase>()>;
 
-/// Families whose pixels are nothing special without depth planes, which no library knows.
-bool is_about_depth(fuzz::Family family) {
+/// The pixels of the others are nothing special without depth planes, which no library knows.
+bool is_hard_without_depth(fuzz::Family family) {
     using enum fuzz::Family;
-    return family == Cyclic || family == Interpenetrating || family == Coplanar;
-}
-
-std::vector<fuzz::Family> families_of(const std::vector<std::string>& names) {
-    std::vector<fuzz::Family> families;
-    for (const std::string& name : names) {
-        if (const auto family = fuzz::family_of(name)) {
-            families.push_back(*family);
-            continue;
-        }
-        std::string known = "all";
-        for (std::size_t f = 0; f < fuzz::kFamilyNames.size(); ++f) {
-            known += fmt::format(" {}", fuzz::kFamilyNames[f]);
-            const auto family = static_cast<fuzz::Family>(f);
-            if (name == "all" && !is_about_depth(family)) families.push_back(family);
-        }
-        if (name != "all") throw InputError(fmt::format("--family {}: there are only: {}", name, known));
-    }
-    return families;
+    return family != Cyclic && family != Interpenetrating && family != Coplanar;
 }
 
 /// Families take turns. Their polygons are taken as listed, nearest first, without depth planes.
@@ -127,8 +110,9 @@ Contest held(const PeersCommand& command, const std::vector<Contestant>& contest
              const CommonOptions& common) {
     if (!command.file.empty()) return contest(cases_of_file(command.file), contestants);
     Progress progress("asking", command.count * contestants.size(), !common.quiet);
-    return contest(made_cases(families_of(command.families), command.count, common.seed), contestants,
-                   [&](std::size_t asked) { progress.advance(asked); });
+    return contest(
+        made_cases(families_of(command.families, is_hard_without_depth), command.count, common.seed),
+        contestants, [&](std::size_t asked) { progress.advance(asked); });
 }
 
 std::string summary_json(const Contest& contest, const CommonOptions& common, double seconds) {

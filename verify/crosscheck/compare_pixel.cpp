@@ -11,8 +11,6 @@
 namespace keikan::crosscheck {
 namespace {
 
-using CGAL::Gmpq;
-
 /// |claimed - exact| lies in [low, high].
 struct ErrorRange {
     double low = 0;
@@ -43,11 +41,11 @@ void compare(const Claim& claim, const oracle::CertifiedAreas& truth, Comparison
 
 void compare(const Claim& claim, const oracle::ExactAreas& truth, Comparisons& result) {
     for (std::size_t i = 0; i <= claim.areas.size(); ++i) {
-        const Gmpq& area = i < claim.areas.size() ? truth.areas[i] : truth.background;
+        const mpq_class& area = i < claim.areas.size() ? truth.areas[i] : truth.background;
         const double claimed = claimed_at(claim, i);
         const double error =
-            std::isfinite(claimed) ? CGAL::to_double(CGAL::abs(Gmpq(claimed) - area)) : HUGE_VAL;
-        result.push_back({CGAL::to_double(area), {error, error}});
+            std::isfinite(claimed) ? mpq_class(abs(mpq_class(claimed) - area)).get_d() : HUGE_VAL;
+        result.push_back({area.get_d(), {error, error}});
     }
 }
 
@@ -62,8 +60,8 @@ bool all_hold(const Comparisons& comparisons, double bound) {
     return std::ranges::all_of(comparisons, [&](const Comparison& c) { return c.error.high <= bound; });
 }
 
-bool within(const oracle::CertifiedArea& certified, const Gmpq& exact) {
-    return CGAL::abs(Gmpq(certified.value) - exact) <= Gmpq(certified.error);
+bool within(const oracle::CertifiedArea& certified, const mpq_class& exact) {
+    return abs(mpq_class(certified.value) - exact) <= mpq_class(certified.error);
 }
 
 bool within(const oracle::CertifiedAreas& certified, const oracle::ExactAreas& exact) {
@@ -108,15 +106,17 @@ double check_sum(const Question& question, const Claim& claim, std::vector<Disag
 
 void check_given(const Question& question, const GivenAnswer& given, const oracle::ExactAreas& exact,
                  std::vector<Disagreement>& out) {
-    const auto check = [&](const std::string& stated, const Gmpq& truth, std::optional<FaceId> face) {
-        if (Gmpq(stated) == truth) return;
+    const auto check = [&](const std::string& stated, const mpq_class& truth, std::optional<FaceId> face) {
+        mpq_class claimed(stated);
+        claimed.canonicalize();
+        if (claimed == truth) return;
         out.push_back({.kind = Disagreement::Kind::Given,
                        .pixel = question.pixel,
                        .face = face,
-                       .claimed = CGAL::to_double(Gmpq(stated)),
-                       .exact = CGAL::to_double(truth),
+                       .claimed = claimed.get_d(),
+                       .exact = truth.get_d(),
                        .note = fmt::format("stated as {}, about {:.17g}, exactly about {:.17g}", stated,
-                                           CGAL::to_double(Gmpq(stated)), CGAL::to_double(truth))});
+                                           claimed.get_d(), truth.get_d())});
     };
     for (std::size_t i = 0; i < given.areas.size(); ++i)
         check(given.areas[i], exact.areas[i], question.faces[i].id);

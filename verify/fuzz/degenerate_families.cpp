@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/degenerate_families.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,23 +8,17 @@
 
 #include "fuzz/grid_polygons.hpp"
 #include "fuzz/random_numbers.hpp"
+#include "oracle/exact_hull.hpp"
 
 namespace keikan::fuzz {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Rings = std::vector<Ring>;
 
-/// The convex hull by exact signs: what a generator means, whatever rounding made of its points.
+/// What a generator means, whatever rounding made of its points.
 Ring hull(const Ring& points) {
-    std::vector<Kernel::Point_2> in;
-    std::vector<Kernel::Point_2> out;
-    for (const Point p : points) in.emplace_back(p.x, p.y);
-    CGAL::convex_hull_2(in.begin(), in.end(), std::back_inserter(out));
-    Ring ring;
-    for (const Kernel::Point_2& p : out) ring.push_back({p.x(), p.y()});
-    return ring;
+    return oracle::exact_hull(points);
 }
 
 double ulps(double value, int steps) {

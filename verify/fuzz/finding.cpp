@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -19,7 +18,7 @@ namespace keikan::fuzz {
 namespace {
 
 using crosscheck::Disagreement;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Fractions of denormal numbers have thousands of digits; an answer longer than this is left out.
 constexpr std::size_t kLongestAnswer = 400;
@@ -28,20 +27,11 @@ Disagreement::Kind group_of(Disagreement::Kind kind) {
     return kind == Disagreement::Kind::Background ? Disagreement::Kind::Area : kind;
 }
 
-std::string text_of(const CGAL::Gmpq& number) {
-    std::ostringstream text;
-    if (number.denominator() == 1)
-        text << number.numerator();
-    else
-        text << number.numerator() << '/' << number.denominator();
-    return text.str();
-}
-
 std::string line_of(const Finding& finding, const PixelCase& pixel_case, const std::string& why,
                     const std::string& version) {
     const Disagreement& d = finding.disagreement;
     const double error = std::isfinite(d.error) ? d.error : std::numeric_limits<double>::max();
-    const Json found{
+    const OrderedJson found{
         {"as", finding.as_found.id},
         {"seed", finding.seed},
         {"family", finding.family},
@@ -49,8 +39,8 @@ std::string line_of(const Finding& finding, const PixelCase& pixel_case, const s
         {"kind", crosscheck::name_of(d.kind)},
         {"error", error},
         {"versions", {{"keikan", version}, {"cgal", CGAL_VERSION_STR}, {"compiler", __VERSION__}}}};
-    const auto text = [](const Json& json) {
-        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto text = [](const OrderedJson& json) {
+        return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     };
     std::string line = pixel_case_line(pixel_case);
     line.pop_back();
@@ -86,11 +76,11 @@ void state_answers(PixelCase& pixel_case) {
         oracle::areas_by_rational_splitting(pixel_case.pixel, pixel_case.faces(), pixel_case.nearness());
     std::vector<std::string> areas;
     std::size_t longest = 0;
-    for (const CGAL::Gmpq& area : exact.areas)
-        longest = std::max(longest, areas.emplace_back(text_of(area)).size());
+    for (const mpq_class& area : exact.areas)
+        longest = std::max(longest, areas.emplace_back(area.get_str()).size());
     if (longest > kLongestAnswer) return;
     pixel_case.areas = std::move(areas);
-    pixel_case.background = text_of(exact.background);
+    pixel_case.background = exact.background.get_str();
 }
 
 std::string shrunk_line(const Finding& finding, const std::string& version) {

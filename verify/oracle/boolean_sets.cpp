@@ -8,7 +8,6 @@
 // segments, CGAL's as well.
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
-#include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_set_2.h>
@@ -79,17 +78,17 @@ Polygon where_nearer(const Polygon& square, std::span<const FaceView> faces, std
     return positive_part(square, ExactNumber(u.a) - v.a, ExactNumber(u.b) - v.b, ExactNumber(u.c) - v.c);
 }
 
-CGAL::Gmpq as_gmpq(const ExactNumber& number) {
-    return CGAL::Gmpq(CGAL::exact(number).get_mpq_t());
+mpq_class as_mpq(const ExactNumber& number) {
+    return mpq_class(CGAL::exact(number).get_mpq_t());
 }
 
-CGAL::Gmpq exact_area(const PolygonSet& set) {
+mpq_class exact_area(const PolygonSet& set) {
     std::vector<PolygonWithHoles> parts;
     set.polygons_with_holes(std::back_inserter(parts));
-    CGAL::Gmpq area = 0;
+    mpq_class area = 0;
     for (const PolygonWithHoles& part : parts) {
-        area += as_gmpq(part.outer_boundary().area());
-        for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) area += as_gmpq(hole->area());
+        area += as_mpq(part.outer_boundary().area());
+        for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) area += as_mpq(hole->area());
     }
     return area;
 }
@@ -140,17 +139,17 @@ bool just_left_is_in(const Polygon& convex, const ExactPoint& p, const ExactPoin
     return true;
 }
 
-CGAL::Gmpq ring_area(Arrangement::Ccb_halfedge_const_circulator first) {
+mpq_class ring_area(Arrangement::Ccb_halfedge_const_circulator first) {
     Polygon ring;
     auto side = first;
     do ring.push_back(side->source()->point());
     while (++side != first);
-    return as_gmpq(ring.area());  // of a ring that touches itself, too
+    return as_mpq(ring.area());  // of a ring that touches itself, too
 }
 
 bool add_up_to_one(const ExactAreas& exact) {
-    CGAL::Gmpq total = exact.background;
-    for (const CGAL::Gmpq& area : exact.areas) total += area;
+    mpq_class total = exact.background;
+    for (const mpq_class& area : exact.areas) total += area;
     return total == 1;
 }
 
@@ -194,13 +193,13 @@ ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> face
     Arrangement arrangement;
     CGAL::insert(arrangement, segments.begin(), segments.end());
 
-    ExactAreas result{std::vector<CGAL::Gmpq>(count, 0), 0};
+    ExactAreas result{std::vector<mpq_class>(count, 0), 0};
     for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
         if (face->is_unbounded()) continue;
         const auto border = face->outer_ccb();
         const ExactPoint &p = border->source()->point(), &q = border->target()->point();
         if (!just_left_is_in(square, p, q)) continue;
-        CGAL::Gmpq area = ring_area(border);
+        mpq_class area = ring_area(border);
         for (auto hole = face->holes_begin(); hole != face->holes_end(); ++hole) area += ring_area(*hole);
 
         std::optional<std::size_t> seen;

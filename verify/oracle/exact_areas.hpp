@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <CGAL/Gmpq.h>
 #include <gmpxx.h>
 
 #include <cstdint>
@@ -21,8 +20,8 @@ namespace keikan::oracle {
 /// Every area exactly, as a rational number. Parallel to the list of faces asked about; 0 where a face shows
 /// nothing. areas + background = 1, exactly.
 struct ExactAreas {
-    std::vector<CGAL::Gmpq> areas;
-    CGAL::Gmpq background;
+    std::vector<mpq_class> areas;
+    mpq_class background;
     friend bool operator==(const ExactAreas&, const ExactAreas&) = default;
 };
 

@@ -407,8 +407,7 @@ ExactAreas Splitting::areas() {
     areas.push_back(area_of_pieces());
     if (!add_up_to_one(areas)) throw std::logic_error("rational splitting: the areas do not add up to 1");
 
-    ExactAreas result;
-    for (const mpq_class& area : areas) result.areas.emplace_back(area.get_mpq_t());
+    ExactAreas result{std::move(areas), 0};
     result.background = std::move(result.areas.back());
     result.areas.pop_back();
     return result;

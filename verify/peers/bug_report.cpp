@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
 #include <utility>
 
 #include "keikan/cases/pixel_case_file.hpp"
@@ -45,10 +44,8 @@ const char* in_words(Outcome outcome) {
     return "";
 }
 
-std::string fraction(const CGAL::Gmpq& number) {
-    std::ostringstream out;
-    out << number;
-    const std::string text = out.str();
+std::string fraction(const mpq_class& number) {
+    const std::string text = number.get_str();
     constexpr std::size_t kReadable = 60;
     return text.size() <= kReadable ? text : fmt::format("a fraction of {} digits", text.size() - 1);
 }
@@ -58,10 +55,9 @@ std::string areas_table(const Finding& finding) {
     const auto exact = oracle::areas_by_rational_splitting(asked.pixel, asked.faces(), asked.nearness());
     const bool answered = finding.reply.outcome == Outcome::Answered;
     std::string table = "| | answered | true | exactly |\n|---|---:|---:|---|\n";
-    const auto row = [&](const std::string& name, double claimed, const CGAL::Gmpq& truth) {
-        table +=
-            fmt::format("| {} | {} | {:.17g} | {} |\n", name, answered ? fmt::format("{:.17g}", claimed) : "",
-                        CGAL::to_double(truth), fraction(truth));
+    const auto row = [&](const std::string& name, double claimed, const mpq_class& truth) {
+        table += fmt::format("| {} | {} | {:.17g} | {} |\n", name,
+                             answered ? fmt::format("{:.17g}", claimed) : "", truth.get_d(), fraction(truth));
     };
     for (std::size_t i = 0; i < exact.areas.size(); ++i)
         row(fmt::format("polygon {}", i + 1), answered ? finding.reply.answer.areas[i] : 0, exact.areas[i]);

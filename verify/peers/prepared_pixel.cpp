@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "peers/prepared_pixel.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Gmpq.h>
-#include <CGAL/convex_hull_2.h>
+#include <gmpxx.h>
 
 #include <algorithm>
-#include <iterator>
+
+#include "oracle/exact_hull.hpp"
 
 namespace keikan::peers {
 namespace {
 
-using CGAL::Gmpq;
-
 struct RationalPoint {
-    Gmpq x;
-    Gmpq y;
+    mpq_class x;
+    mpq_class y;
 };
 using RationalRing = std::vector<RationalPoint>;
 
@@ -26,10 +23,10 @@ RationalRing half(const RationalRing& ring, const Inside& inside) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const RationalPoint& p = ring[i];
         const RationalPoint& q = ring[i + 1 == ring.size() ? 0 : i + 1];
-        const Gmpq at_p = inside(p), at_q = inside(q);
+        const mpq_class at_p = inside(p), at_q = inside(q);
         if (at_p >= 0) part.push_back(p);
         if (at_p * at_q < 0) {
-            const Gmpq t = at_p / (at_p - at_q);
+            const mpq_class t = at_p / (at_p - at_q);
             part.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
         }
     }
@@ -39,21 +36,15 @@ RationalRing half(const RationalRing& ring, const Inside& inside) {
 RationalRing in_unit_square(RationalRing ring) {
     ring = half(ring, [](const RationalPoint& p) { return p.x; });
     ring = half(ring, [](const RationalPoint& p) { return p.y; });
-    ring = half(ring, [](const RationalPoint& p) { return Gmpq(1) - p.x; });
-    return half(ring, [](const RationalPoint& p) { return Gmpq(1) - p.y; });
+    ring = half(ring, [](const RationalPoint& p) { return mpq_class(1 - p.x); });
+    return half(ring, [](const RationalPoint& p) { return mpq_class(1 - p.y); });
 }
 
 /// The convex hull by exact signs, from +x towards +y; empty if it has no area.
 Ring strictly_convex(const Ring& points) {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    std::vector<Kernel::Point_2> in;
-    std::vector<Kernel::Point_2> out;
-    for (const Point p : points) in.emplace_back(p.x, p.y);
-    CGAL::convex_hull_2(in.begin(), in.end(), std::back_inserter(out));
-    Ring ring;
-    if (out.size() < 3) return ring;
-    for (const Kernel::Point_2& p : out) ring.push_back({p.x(), p.y()});
-    return ring;
+    Ring hull = oracle::exact_hull(points);
+    if (hull.size() < 3) hull.clear();
+    return hull;
 }
 
 bool is_inside_already(std::span<const Point> ring, PixelIndex pixel) {
@@ -66,11 +57,10 @@ bool is_inside_already(std::span<const Point> ring, PixelIndex pixel) {
 Ring ring_in_pixel(std::span<const Point> ring, PixelIndex pixel) {
     if (is_inside_already(ring, pixel)) return strictly_convex(Ring(ring.begin(), ring.end()));
     RationalRing exact;
-    for (const Point p : ring) exact.push_back({Gmpq(p.x) - pixel.x, Gmpq(p.y) - pixel.y});
+    for (const Point p : ring) exact.push_back({mpq_class(p.x) - pixel.x, mpq_class(p.y) - pixel.y});
     Ring rounded;
     for (const RationalPoint& p : in_unit_square(std::move(exact)))
-        rounded.push_back(
-            {std::clamp(CGAL::to_double(p.x), 0.0, 1.0), std::clamp(CGAL::to_double(p.y), 0.0, 1.0)});
+        rounded.push_back({std::clamp(p.x.get_d(), 0.0, 1.0), std::clamp(p.y.get_d(), 0.0, 1.0)});
     return strictly_convex(rounded);
 }
 

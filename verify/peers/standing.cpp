@@ -7,9 +7,9 @@
 namespace keikan::peers {
 namespace {
 
-oracle::CertifiedArea rounded(const CGAL::Gmpq& exact) {
-    const double value = CGAL::to_double(exact);
-    // One unit in the last place is more than any rounding of to_double.
+oracle::CertifiedArea rounded(const mpq_class& exact) {
+    const double value = exact.get_d();
+    // One unit in the last place is more than that rounding towards 0.
     return {value, std::abs(std::nextafter(value, HUGE_VAL) - value)};
 }
 
@@ -29,7 +29,7 @@ Truth TruthTeller::operator()(const PixelCase& pixel_case) {
     const oracle::ExactAreas exact =
         oracle::areas_by_rational_splitting(pixel_case.pixel, faces, pixel_case.nearness());
     Truth truth;
-    for (const CGAL::Gmpq& area : exact.areas) truth.areas.push_back(rounded(area));
+    for (const mpq_class& area : exact.areas) truth.areas.push_back(rounded(area));
     truth.background = rounded(exact.background);
     return truth;
 }

@@ -15,13 +15,13 @@ std::string share_in_words(std::uint64_t count, std::uint64_t of) {
     return fmt::format("{} ({:.2g} %)", count, 100 * static_cast<double>(count) / static_cast<double>(of));
 }
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json tally_in_json(const Tally& tally) {
-    Json json{{"pixels", tally.pixels},
-              {"exceptions", tally.exceptions},
-              {"crashes", tally.crashes},
-              {"hangs", tally.hangs}};
+OrderedJson tally_in_json(const Tally& tally) {
+    OrderedJson json{{"pixels", tally.pixels},
+                     {"exceptions", tally.exceptions},
+                     {"crashes", tally.crashes},
+                     {"hangs", tally.hangs}};
     for (std::size_t i = 0; i < kWrongBy.size(); ++i) json["wrong"][kWrongByNames[i]] = tally.wrong[i];
     for (std::size_t i = 0; i < kWrongBy.size(); ++i)
         json["wrong_share"][kWrongByNames[i]] =
@@ -57,9 +57,9 @@ std::string table_in_markdown(std::span<const Standing> standings) {
 }
 
 std::string table_in_json(std::span<const Standing> standings) {
-    Json rows = Json::array();
+    OrderedJson rows = OrderedJson::array();
     for (const Standing& s : standings) {
-        Json row{{"name", s.name}, {"version", s.version}};
+        OrderedJson row{{"name", s.name}, {"version", s.version}};
         row.update(tally_in_json(s.all));
         row["worst"] = s.worst;
         row["not_asked"] = s.not_asked;

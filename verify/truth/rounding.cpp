@@ -13,10 +13,6 @@ constexpr double kMostCode = 65535;
 
 }  // namespace
 
-float nearest_float(const CGAL::Gmpq& value) {
-    return nearest_float(mpq_class(value.mpq()));
-}
-
 float nearest_float(const mpq_class& value) {
     const mpz_class& over = value.get_num();
     const mpz_class& under = value.get_den();
@@ -36,10 +32,6 @@ float nearest_float(const mpq_class& value) {
         break;
     }
     return static_cast<float>(std::ldexp(quotient.get_d(), -bits));
-}
-
-std::uint16_t nearest_code(const CGAL::Gmpq& value) {
-    return nearest_code(mpq_class(value.mpq()));
 }
 
 std::uint16_t nearest_code(const mpq_class& value) {

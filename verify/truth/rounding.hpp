@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <CGAL/Gmpq.h>
 #include <gmpxx.h>
 
 #include <cstdint>
@@ -10,11 +9,9 @@
 namespace keikan::truth {
 
 /// The float nearest to `value`, the even one of two equally near. Requires: 0 <= value <= 1.
-float nearest_float(const CGAL::Gmpq& value);
 float nearest_float(const mpq_class& value);
 
 /// The 16-bit code nearest to 65535 * value, the larger one of two equally near. Requires: 0 <= value <= 1.
-std::uint16_t nearest_code(const CGAL::Gmpq& value);
 std::uint16_t nearest_code(const mpq_class& value);
 /// The same for a double, as exactly. What lies outside of [0, 1] takes the nearer end.
 std::uint16_t nearest_code(double value);

@@ -18,8 +18,6 @@
 namespace keikan::truth {
 namespace {
 
-using CGAL::Gmpq;
-
 /// The exact coverages of one pixel by the mattes in it, as far as they are known: ranges, or numbers.
 struct MatteSums {
     struct Sum {
@@ -27,7 +25,7 @@ struct MatteSums {
         std::uint32_t faces = 0;  ///< that were asked about
         long double value = 0;    ///< near the coverage: off by `error`, and by the roundings of the sum
         double error = 0;
-        Gmpq exact = 0;          ///< where the pixel is known exactly
+        mpq_class exact = 0;     ///< where the pixel is known exactly
         float coverage = 0;      ///< nearest to the exact coverage, once settled
         std::uint16_t code = 0;  ///< likewise
 
@@ -161,11 +159,11 @@ class SceneTruth::RowTruth {
         if (areas.background != 0) add_rational(Share::kBackground, areas.background);
     }
 
-    void add_rational(std::uint32_t matte, const Gmpq& area) {
+    void add_rational(std::uint32_t matte, const mpq_class& area) {
         MatteSums::Sum& sum = sums_.of(matte);
         ++sum.faces;
         sum.exact += area;
-        sum.value = CGAL::to_double(sum.exact);
+        sum.value = sum.exact.get_d();
     }
 
     /// Asks about all faces, those that are certainly hidden as well, by rational splitting: what has been
@@ -260,7 +258,7 @@ class SceneTruth::RowTruth {
 
     /// An upper bound of |area - exact coverage|.
     double error_of(double area, const MatteSums::Sum& sum) const {
-        if (exact_ && Gmpq(area) == sum.exact) return 0;
+        if (exact_ && mpq_class(area) == sum.exact) return 0;
         const Range range = sum.range();
         return std::max(range.high - area, area - range.low);
     }

@@ -85,7 +85,7 @@ std::size_t object_of(FaceId id, const Geometry& geometry) {
     return static_cast<std::size_t>(next - geometry.first_face.begin() - 1);
 }
 
-using Coverage = std::map<std::size_t, CGAL::Gmpq>;  ///< by object; the background after the last
+using Coverage = std::map<std::size_t, mpq_class>;  ///< by object; the background after the last
 
 Coverage coverage_of(const oracle::ExactAreas& exact, std::span<const std::size_t> objects,
                      std::size_t background) {
@@ -106,7 +106,7 @@ Difference largest_difference(const Coverage& from_world, const Coverage& from_d
     for (const auto& [object, coverage] : from_doubles) differences[object] -= coverage;
     Difference largest;
     for (const auto& [object, difference] : differences) {
-        const double value = std::abs(CGAL::to_double(difference));
+        const double value = std::abs(difference.get_d());
         if (value > largest.value) largest = {value, object};
     }
     return largest;
