@@ -138,8 +138,7 @@ TEST_CASE("layer_coverage: convex layers, pixel by pixel as the oracle of pixels
                 const auto exact = oracle::areas_by_rational_splitting({x, y}, faces, Nearness::InOrder);
                 Sums expected;
                 for (std::size_t i = 0; i < faces.size(); ++i)
-                    if (exact.areas[i] != 0)
-                        expected[static_cast<std::uint32_t>(i)] = exact.areas[i];
+                    if (exact.areas[i] != 0) expected[static_cast<std::uint32_t>(i)] = exact.areas[i];
                 if (exact.background != 0) expected[Share::kBackground] = exact.background;
                 CHECK(found[{x, y}] == expected);
             }
