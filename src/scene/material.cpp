@@ -18,8 +18,8 @@ Rgb HeightSlopeRamp::colour_at(float height_m) const {
 }
 
 float HeightSlopeRamp::steep_share(float normal_z) const {
-    constexpr float kDegree = std::numbers::pi_v<float> / 180;
-    const float slope_deg = std::acos(std::min(std::abs(normal_z), 1.0f)) / kDegree;
+    constexpr float kDegreeInFloats = std::numbers::pi_v<float> / 180;
+    const float slope_deg = std::acos(std::min(std::abs(normal_z), 1.0f)) / kDegreeInFloats;
     if (slope_deg <= steep_from_deg) return 0;
     if (slope_deg >= steep_full_deg) return 1;
     return (slope_deg - steep_from_deg) / (steep_full_deg - steep_from_deg);
