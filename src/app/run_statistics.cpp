@@ -49,6 +49,7 @@ void write_statistics(const std::string& file, const std::string& command, Image
         own["pixels"] = water->pixels;
         own["mixed_pixels"] = water->mixed_pixels;
         own["samples_per_pixel"] = static_cast<double>(water->samples) / pixels;
+        own["measuring_samples"] = water->measuring_samples;
         own["most_samples"] = water->most_samples;
         own["histogram_by_powers_of_2"] = water->histogram;
         own["face_rays"] = water->face_rays;

@@ -42,4 +42,11 @@ inline double code_of(double linear) {
     return 255 * srgb_from_linear(std::clamp(linear, 0.0, 1.0));
 }
 
+/// By how many codes of 8 bits sRGB rises for each unit of linear light.
+inline double codes_per_light(double linear) {
+    if (linear >= 1) return 0;
+    if (linear <= 0.0031308) return 255 * 12.92;
+    return 255 * 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
+}
+
 }  // namespace keikan

@@ -12,6 +12,7 @@
 #include "keikan/support/parallel.hpp"
 #include "keikan/wave/counter_random.hpp"
 #include "sample_sums.hpp"
+#include "sobol_gain.hpp"
 #include "water_random.hpp"
 #include "water_region.hpp"
 
@@ -19,25 +20,15 @@ namespace keikan {
 
 namespace {
 
-/// The error of Sobol's points beside that of as many independent ones, which the variance of the samples
-/// tells: measured on riverside, 64 samples (docs/water.md).
-constexpr double kSobolGain = 0.65;
-
-/// By how many codes of 8 bits sRGB rises for each unit of linear light.
-double codes_per_light(double linear) {
-    if (linear >= 1) return 0;
-    if (linear <= 0.0031308) return 255 * 12.92;
-    return 255 * 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
-}
-
 /// How many samples the pixel needs for this standard error, from those that it has; not more than four times
-/// as many, because few samples may mislead. No more than it has: enough.
-std::size_t samples_for(double wanted, const SampleSums& sums, double weight, Rgb base) {
+/// as many, because few samples may mislead. No more than it has: enough. `sobol_share` is
+/// SobolGain::variance_share.
+std::size_t samples_for(double wanted, const SampleSums& sums, double sobol_share, double weight, Rgb base) {
     const float bases[] = {base.r, base.g, base.b};
     const auto count = static_cast<double>(sums.count());
     double square = 0;
     for (int c = 0; c < 3; ++c) {
-        const double standard = kSobolGain * weight * std::sqrt(sums.variance(c) / count);
+        const double standard = weight * std::sqrt(sobol_share * sums.variance(c) / count);
         const double light = static_cast<double>(bases[c]) + weight * sums.mean(c);
         const double codes = standard * codes_per_light(light - standard);
         square += codes * codes / 3;
@@ -54,6 +45,7 @@ struct Shared {
     const ProjectedFaces& faces;
     const WaterOptions& options;
     const SceneRays& rays;
+    const SobolGain& gain;
 };
 
 /// Draws pixels, one after the other; owns the memory that this needs.
@@ -77,6 +69,16 @@ class Painter {
         }
         count_samples(samples_of_pixel_);
         return samples_of_pixel_;
+    }
+
+    /// How well Sobol's points do in a pixel that shows this water and nothing else.
+    SobolGain::Note note(const WaterPixels::Pixel& pixel) {
+        at_ = {pixel.x, pixel.y};
+        region_.set_whole();
+        sampler_.look_at(at_, pixel.water);
+        SampleSums sums;
+        take_sobol(0, SobolGain::kBlock * SobolGain::kBlocks, sums);
+        return SobolGain::note(at_, colours_);
     }
 
     /// Adds the water of one pixel's points, each by its weight.
@@ -249,7 +251,8 @@ class Painter {
         std::size_t wanted = std::min(static_cast<std::size_t>(options.least), most);
         while (wanted > sums.count()) {
             take_sobol(sums.count(), wanted, sums);
-            wanted = std::min(most, samples_for(options.error, sums, weight, base));
+            const double share = shared_.gain.variance_share(at_, sums.count());
+            wanted = std::min(most, samples_for(options.error, sums, share, weight, base));
         }
     }
 
@@ -305,6 +308,7 @@ class SharedCounts {
         pixels_ += s.pixels;
         mixed_ += s.mixed_pixels;
         samples_ += s.samples;
+        measuring_ += s.measuring_samples;
         rays_ += s.face_rays;
         missed_ += s.missed;
         wave_rays_ += s.wave_rays;
@@ -318,6 +322,7 @@ class SharedCounts {
         WaterStatistics s{.pixels = pixels_,
                           .mixed_pixels = mixed_,
                           .samples = samples_,
+                          .measuring_samples = measuring_,
                           .most_samples = most_,
                           .face_rays = rays_,
                           .wave_rays = wave_rays_,
@@ -329,7 +334,7 @@ class SharedCounts {
 
   private:
     std::atomic<std::uint64_t> pixels_{0}, mixed_{0}, samples_{0}, most_{0}, rays_{0}, missed_{0},
-        wave_rays_{0}, wave_steps_{0};
+        wave_rays_{0}, wave_steps_{0}, measuring_{0};
     std::array<std::atomic<std::uint64_t>, 17> histogram_{};
 };
 
@@ -367,15 +372,38 @@ void WaterPixels::add_divided(int x, int y, std::span<const SeenPart> parts,
 
 /// What outlives a list of pixels.
 struct WaterPainter::Working {
+    Working(const Scene& scene, const SceneRays& rays, const ProjectedFaces& faces, const WaterOptions& options)
+        : gain(scene.camera.size), shared{scene, faces, options, rays, gain} {}
+    SobolGain gain;
     Shared shared;
     SharedCounts counts;
 };
 
 WaterPainter::WaterPainter(const Scene& scene, const SceneRays& rays, const ProjectedFaces& faces,
                            const WaterOptions& options)
-    : working_(new Working{{scene, faces, options, rays}, {}}) {}
+    : working_(std::make_unique<Working>(scene, rays, faces, options)) {}
 
 WaterPainter::~WaterPainter() = default;
+
+void WaterPainter::measure(std::span<const WaterPixels> lists) {
+    if (working_->shared.options.mode != WaterMode::Variance) return;
+    std::vector<WaterPixels::Pixel> chosen;
+    for (const WaterPixels& list : lists)
+        for (const WaterPixels::Pixel& pixel : list.pixels())
+            if (pixel.water != kNoWater && SobolGain::measures({pixel.x, pixel.y})) chosen.push_back(pixel);
+    std::sort(chosen.begin(), chosen.end(),
+              [](const auto& p, const auto& q) { return std::pair(p.y, p.x) < std::pair(q.y, q.x); });
+    std::vector<SobolGain::Note> notes(chosen.size());
+    constexpr std::size_t kPixelsPerRun = 64;
+    parallel_ranges(chosen.size(), kPixelsPerRun, [&](std::size_t first, std::size_t end) {
+        Painter painter(working_->shared);
+        for (std::size_t i = first; i < end; ++i) notes[i] = painter.note(chosen[i]);
+        WaterStatistics taken = painter.statistics();
+        std::swap(taken.measuring_samples, taken.samples);
+        working_->counts.add(taken);
+    });
+    working_->gain.settle(notes);
+}
 
 void WaterPainter::paint(const WaterPixels& list, Image<Rgb>& image, Image<float>* counts) {
     // Far pixels need other times than near ones: short runs share the work evenly.
@@ -416,6 +444,7 @@ WaterStatistics paint_water(std::span<const WaterPixels> pixels, const Scene& sc
                             Image<float>* counts) {
     const auto begin = std::chrono::steady_clock::now();
     WaterPainter painter(scene, rays, faces, options);
+    painter.measure(pixels);
     for (const WaterPixels& list : pixels) painter.paint(list, image, counts);
     WaterStatistics statistics = painter.statistics();
     statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -126,6 +126,8 @@ WaterReport check_water(const Scene& scene, const Geometry& geometry, const Wate
     adaptive.window = options.window;
     adaptive.seed = options.seed;
     report.adaptive = compared("variance", drawn(scene, geometry, adaptive), reference, options.window);
+    // What was measured beforehand, all over the picture: as many samples as it has pixels of water.
+    report.adaptive.samples_per_pixel += 1;
     const int equal = std::max(1, static_cast<int>(std::ceil(report.adaptive.samples_per_pixel)));
     report.random = compared("random", drawn(scene, geometry, fixed(Sampler::Random, equal, options)),
                              reference, options.window);

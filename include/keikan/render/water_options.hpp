@@ -51,6 +51,8 @@ struct WaterStatistics {
     std::uint64_t pixels = 0;        ///< that hold water drawn by rays
     std::uint64_t mixed_pixels = 0;  ///< of those, with other things, too
     std::uint64_t samples = 0;
+    /// Taken beforehand, to learn how well samples do: 64 for one pixel in 64 (WaterMode::Variance).
+    std::uint64_t measuring_samples = 0;
     std::uint64_t most_samples = 0;  ///< of one pixel
     std::uint64_t face_rays = 0;     ///< into the hierarchy of faces
     std::uint64_t wave_rays = 0;     ///< to the waves
