@@ -34,9 +34,11 @@ std::size_t samples_for(double wanted, const SampleSums& sums, double sobol_shar
         square += codes * codes / 3;
     }
     if (square <= wanted * wanted) return sums.count();
-    constexpr double kGrowth = 4, kTogether = 16;  // Sobol's points are best in whole blocks
+    // Sobol's points are best in whole blocks.
+    constexpr double kGrowth = 4;
     const double needed = count * std::min(kGrowth, square / (wanted * wanted));
-    return static_cast<std::size_t>(std::ceil(needed / kTogether) * kTogether);
+    const double together = needed <= 16 ? 4 : 16;
+    return static_cast<std::size_t>(std::ceil(needed / together) * together);
 }
 
 /// What all pixels have in common.
