@@ -77,10 +77,10 @@ struct Projected {
 
 class ObjectProjection {
   public:
-    ObjectProjection(const Object& object, const Camera& camera)
+    ObjectProjection(const Object& object, const Camera& camera, HiddenBacks backs)
         : mesh_(object.mesh),
           camera_(camera),
-          backs_are_hidden_(backs_are_hidden(object, camera)),
+          without_backs_(backs == HiddenBacks::LeftOut && backs_are_hidden(object, camera)),
           corners_(mesh_.positions.size()) {
         parallel_ranges(corners_.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) corners_[i] = seen_corner(camera_, mesh_.positions[i]);
@@ -106,7 +106,7 @@ class ObjectProjection {
         const auto outline = std::span<const Point>(out.points).subspan(first);
         const Turning turns = turning(outline);
         // Counter-clockwise seen from outside is a negative turn where rows grow downwards.
-        const bool back = backs_are_hidden_ && turns.sign > 0 && !turns.mixed;
+        const bool back = without_backs_ && turns.sign > 0 && !turns.mixed;
         if (turns.sign == 0 || back || ((any & SeenCorner::kBehind) && outside_image(outline))) {
             out.points.resize(first);
             return;
@@ -168,7 +168,7 @@ class ObjectProjection {
 
     const Mesh& mesh_;
     const Camera& camera_;
-    const bool backs_are_hidden_;
+    const bool without_backs_;
     std::vector<SeenCorner> corners_;
 };
 
@@ -177,14 +177,14 @@ constexpr std::size_t kFacesPerRun = 8192;
 
 }  // namespace
 
-ProjectedFaces project_faces(const Geometry& geometry, const Camera& camera) {
+ProjectedFaces project_faces(const Geometry& geometry, const Camera& camera, HiddenBacks backs) {
     KEIKAN_CHECK(geometry.first_face.size() == geometry.objects.size() + 1,
                  "first_face holds " << geometry.first_face.size() << " values for "
                                      << geometry.objects.size() << " objects");
     std::vector<Projected> runs;
     for (std::size_t o = 0; o < geometry.objects.size(); ++o) {
         const Mesh& mesh = geometry.objects[o].mesh;
-        const ObjectProjection projection(geometry.objects[o], camera);
+        const ObjectProjection projection(geometry.objects[o], camera, backs);
         const std::size_t faces = mesh.face_count();
         const std::size_t first_run = runs.size();
         const std::size_t run_count = (faces + kFacesPerRun - 1) / kFacesPerRun;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "crosscheck/left_out_check.hpp"
 #include "crosscheck/report.hpp"
 #include "crosscheck/scene_check.hpp"
 #include "keikan/render/shade.hpp"
@@ -19,6 +20,9 @@
 
 namespace keikan {
 namespace {
+
+/// Of the pixels that faces may be in which are never asked about, one in so many is asked about them.
+constexpr std::uint64_t kLeftOutOneIn = 1;
 
 struct SceneCommand {
     std::string scene, size, pixels = "all", engine = "splitting", extract = "outline", report;
@@ -70,6 +74,8 @@ void scene(const SceneCommand& command, CommonOptions& common) {
     Image<Rgb> picture(reported ? size : ImageSize{});
     crosscheck::CheckSummary summary =
         check_bands(faces, geometry, read, scan, check, reported ? &picture : nullptr, progress);
+    crosscheck::check_left_out(faces, project_faces(geometry, read.camera, HiddenBacks::Kept), size,
+                               common.seed, kLeftOutOneIn, summary);
     summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const std::string json =

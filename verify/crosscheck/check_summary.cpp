@@ -127,6 +127,10 @@ std::string summary_json(const CheckSummary& summary, const UnflaggedErrors* unf
                              {"visibly_wrong", unflagged->visibly_wrong},
                              {"rmse", unflagged->rmse()},
                              {"max_error", unflagged->max_error}};
+    if (summary.left_out)
+        json["left_out"] = {{"faces", summary.left_out->faces},
+                            {"pixels", summary.left_out->pixels},
+                            {"largest_seen", summary.left_out->largest}};
     json["seconds"] = summary.seconds;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

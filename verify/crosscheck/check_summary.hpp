@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct UnflaggedErrors {
     UnflaggedErrors& operator+=(const UnflaggedErrors& other);
 };
 
+/// What was found of the faces that the projection leaves out because they cannot be seen.
+struct LeftOutCount {
+    std::uint64_t faces = 0;   ///< left out
+    std::uint64_t pixels = 0;  ///< asked about, of those that such a face may be in
+    double largest = 0;        ///< seen of such faces in a pixel, together
+};
+
 /// What a check found, over any number of pixels. Parts are added up in a fixed order (rows from the top,
 /// cases as they come), so the summary does not depend on the number of threads.
 struct CheckSummary {
@@ -44,6 +52,7 @@ struct CheckSummary {
     std::vector<WorstPixel> worst;  ///< by falling error, then as they came
     std::uint64_t disagreement_count = 0;
     std::vector<Disagreement> disagreements;  ///< the first ones
+    std::optional<LeftOutCount> left_out;     ///< of a scene
     double seconds = 0;
 
     bool pass() const { return disagreement_count == 0; }

@@ -19,6 +19,8 @@ const char* name_of(Disagreement::Kind kind) {
             return "attributes";
         case Disagreement::Kind::Given:
             return "given";
+        case Disagreement::Kind::LeftOut:
+            return "left-out";
         case Disagreement::Kind::Contact:
             return "contact";
         case Disagreement::Kind::Rungs:
@@ -29,7 +31,7 @@ const char* name_of(Disagreement::Kind kind) {
 
 bool is_of_areas(Disagreement::Kind kind) {
     using enum Disagreement::Kind;
-    return kind == Area || kind == Background || kind == Sum;
+    return kind == Area || kind == Background || kind == Sum || kind == LeftOut;
 }
 
 std::string text_of(const Disagreement& d) {

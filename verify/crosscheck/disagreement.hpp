@@ -19,6 +19,7 @@ struct Disagreement {
         Form,  ///< the answer breaks its own contract: out of order, outside of (0, 1], a pixel left out
         Attributes,  ///< the picture would shade a face with another face's plane, object or material
         Given,       ///< the answer that a case states is not the exact one
+        LeftOut,     ///< a face is seen that the projection left out because it could not be
         Contact,     ///< of the paper's clipper: class, turn or index of a contact is not the exact one
         Rungs,       ///< two rungs of the oracle differ: the mistake is in the oracle
     };

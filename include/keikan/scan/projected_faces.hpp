@@ -27,8 +27,15 @@ struct ProjectedFaces {
     }
 };
 
+/// What becomes of back faces that cannot be seen.
+enum class HiddenBacks : std::uint8_t {
+    LeftOut,
+    Kept,  ///< for whoever checks that they cannot be seen
+};
+
 /// Projects the geometry. A vertex that two faces share lands on the same doubles in both.
-ProjectedFaces project_faces(const Geometry& geometry, const Camera& camera);
+ProjectedFaces project_faces(const Geometry& geometry, const Camera& camera,
+                             HiddenBacks backs = HiddenBacks::LeftOut);
 
 /// Positions in `faces` of those whose bounding box meets the pixel (closed on every side), in rising order.
 /// Looks at every face: for single pixels.
