@@ -10,18 +10,14 @@
 // clip (one difference of two polygons), compare (methods against each other and exact truth), info (what is
 // in a scene).
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
-#include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
+#include "keikan/support/program.hpp"
 
 namespace {
-
-constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2;
 
 void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     app.set_version_flag("--version", "keikan " KEIKAN_VERSION);
@@ -51,29 +47,21 @@ std::string usage_trouble(const CLI::App& app, const CLI::ParseError& trouble) {
     return trouble.what();
 }
 
-int told(int exit_code, const char* what) {
-    std::fprintf(stderr, "keikan: %s\n", what);
-    return exit_code;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Landscapes without aliasing, every pixel proven");
-    keikan::CommonOptions common;
-    try {
-        describe_program(app, common);
-        app.parse(argc, argv);  // runs the command
-        return kDone;
-    } catch (const CLI::Success& help_or_version) {
-        return app.exit(help_or_version);
-    } catch (const CLI::ParseError& wrong_usage) {
-        return told(kBadInput, usage_trouble(app, wrong_usage).c_str());
-    } catch (const keikan::InputError& bad_input) {
-        return told(kBadInput, bad_input.what());
-    } catch (const keikan::CheckFailure& mistake) {
-        return told(kCheckFailed, mistake.what());
-    } catch (const std::exception& mistake) {
-        return told(kCheckFailed, mistake.what());
-    }
+    using namespace keikan;
+    return run_program("keikan", [argc, argv] {
+        CLI::App app("Landscapes without aliasing, every pixel proven");
+        CommonOptions common;
+        try {
+            describe_program(app, common);
+            app.parse(argc, argv);  // runs the command
+            return kDone;
+        } catch (const CLI::Success& help_or_version) {
+            return app.exit(help_or_version);
+        } catch (const CLI::ParseError& wrong_usage) {
+            throw InputError(usage_trouble(app, wrong_usage));
+        }
+    });
 }

@@ -138,9 +138,7 @@ std::vector<Polygon> polygons_from_geojson(std::string_view text, const std::str
     return polygons;
 }
 
-GeoJsonCaseReader::GeoJsonCaseReader(std::string_view text, std::string name)
-    : text_(text), name_(std::move(name)) {}
-
+template <>
 std::optional<PixelCase> GeoJsonCaseReader::next() {
     Documents documents(text_, at_, line_);
     const std::string_view document = documents.next();

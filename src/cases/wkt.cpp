@@ -63,8 +63,7 @@ std::vector<Polygon> polygons_from_wkt(std::string_view text, const std::string&
     return polygons;
 }
 
-WktCaseReader::WktCaseReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
-
+template <>
 std::optional<PixelCase> WktCaseReader::next() {
     WktCursor cursor(text_, name_, WktCursor::Place::LineAndColumn, at_);
     const std::string_view attributes = cursor.skip_comments();

@@ -308,26 +308,6 @@ Turning turning(std::span<const Point> ring) {
     return reversals == 2 ? found : Turning::NotStrictlyConvex;
 }
 
-void replace_by_hull(std::vector<Point>& points) {
-    std::sort(points.begin(), points.end(), before);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    const std::size_t n = points.size();
-    if (n < 3) return;
-    // Andrew's monotone chain; the second half of the vector is where the hull grows.
-    points.resize(3 * n + 1);
-    Point* const hull = points.data() + n;
-    std::size_t size = 0;
-    const auto extend = [&](Point p, std::size_t keep) {
-        while (size > keep && orient2d(hull[size - 2], hull[size - 1], p) != Sign::Positive) --size;
-        hull[size++] = p;
-    };
-    for (std::size_t i = 0; i < n; ++i) extend(points[i], 1);
-    const std::size_t upper = size;
-    for (std::size_t i = n - 1; i-- > 0;) extend(points[i], upper);
-    std::copy(hull, hull + (size - 1), points.begin());
-    points.resize(size - 1);
-}
-
 bool may_overlap(PixelIndex index, std::span<const Point> outline) {
     const Borders pixel(index);
     Set all = kAll;

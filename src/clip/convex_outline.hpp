@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "keikan/clip/convex_hull.hpp"
 #include "keikan/model/pixel.hpp"
 #include "keikan/model/point.hpp"
 
@@ -33,10 +34,6 @@ class ConvexOutline {
 /// Whether `ring` is exactly strictly convex, and which way it turns.
 enum class Turning { Positive, Negative, NotStrictlyConvex };
 Turning turning(std::span<const Point> ring);
-
-/// Replaces `points` by the corners of their convex hull, exactly: no three on a line, turning from +x
-/// towards +y, from the smallest x (then y). Fewer than three remain when the points have no area.
-void replace_by_hull(std::vector<Point>& points);
 
 /// How much of a pixel a face covers, apart from what hides it.
 enum class Overlap { Nothing, Part, WholePixel };

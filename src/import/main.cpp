@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
 
 #include "import_dem.hpp"
-#include "keikan/support/input_error.hpp"
+#include "keikan/support/program.hpp"
 
 namespace {
-
-constexpr int kBadInput = 2;
 
 void print(const keikan::ImportedDem& dem, const std::string& grid) {
     const nlohmann::ordered_json line = {{"grid", grid},
@@ -44,7 +41,7 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kBadInput;
+        return app.exit(error) == 0 ? keikan::kDone : keikan::kBadInput;
     }
     const keikan::ImportedDem imported = keikan::import_dem(request);
     if (!quiet) print(imported, request.grid.string());
@@ -54,13 +51,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const keikan::InputError& error) {
-        std::fprintf(stderr, "keikan-import: %s\n", error.what());
-        return kBadInput;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "keikan-import: %s\n", error.what());
-        return 1;
-    }
+    return keikan::run_program("keikan-import", [argc, argv] { return run(argc, argv); });
 }

@@ -10,47 +10,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
-#include <new>
 #include <string>
 #include <vector>
 
+#include "../support/counted_allocations.hpp"
 #include "fuzz/degenerate_families.hpp"
 #include "keikan/clip/visible_areas.hpp"
 #include "peers/peer.hpp"
 
 namespace {
 
-std::size_t allocations = 0;
-
-void* counted(std::size_t size) {
-    ++allocations;
-    return std::malloc(size == 0 ? 1 : size);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    if (void* const memory = counted(size)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return counted(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
-    std::free(memory);
-}
-
-namespace {
-
 using namespace keikan;
+using test::allocations;
 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPixelsOfAFamily = 100;

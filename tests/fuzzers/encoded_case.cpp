@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "keikan/cases/convex_ring.hpp"
-#include "keikan/clip/orient2d.hpp"
+#include "keikan/clip/convex_hull.hpp"
 
 namespace keikan::fuzzers {
 namespace {
@@ -74,28 +74,6 @@ class Decoder {
     std::vector<double> said_;
 };
 
-/// The exact convex hull of a ring that is not convex.
-Ring hull(Ring points) {
-    const auto comes_before = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    std::ranges::sort(points, comes_before);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    if (points.size() < 3) return points;
-    Ring ring;
-    const auto add_chain = [&](auto begin, auto end) {
-        const std::size_t start = ring.size();
-        for (auto p = begin; p != end; ++p) {
-            while (ring.size() >= start + 2 &&
-                   orient2d(ring[ring.size() - 2], ring.back(), *p) != Sign::Positive)
-                ring.pop_back();
-            ring.push_back(*p);
-        }
-        ring.pop_back();
-    };
-    add_chain(points.begin(), points.end());
-    add_chain(points.rbegin(), points.rend());
-    return ring;
-}
-
 void encode(double value, std::string& out) {
     const double step = value * kGridSteps + kGridStart;
     if (step >= 0 && step < kGridEnd && step == std::floor(step) && !(value == 0 && std::signbit(value))) {
@@ -130,7 +108,7 @@ PixelCase decoded_case(std::span<const std::uint8_t> bytes) {
             const double x = in.coordinate();
             ring.push_back({x, in.coordinate()});
         }
-        if (!is_convex_ring(ring)) ring = hull(std::move(ring));
+        if (!is_convex_ring(ring)) clip::replace_by_hull(ring);
         result.polygons.push_back(std::move(ring));
         if (!result.depth) continue;
         const double a = in.coordinate(), b = in.coordinate();

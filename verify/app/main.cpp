@@ -10,17 +10,13 @@
 //   water    water, many samples a pixel     water_command.cpp
 //   convert  pixel cases, WKT, GeoJSON, SVG convert_command.cpp
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 
 #include "commands.hpp"
-#include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
+#include "keikan/support/program.hpp"
 #include "truth_command.hpp"
 
 namespace {
-
-constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2;
 
 void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     app.set_version_flag("--version", "keikan-verify " KEIKAN_VERSION);
@@ -41,29 +37,21 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
     keikan::add_convert_command(app);
 }
 
-int told(int exit_code, const char* what) {
-    std::fprintf(stderr, "keikan-verify: %s\n", what);
-    return exit_code;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Every pixel against the exact oracle");
-    keikan::CommonOptions common;
-    try {
-        describe_program(app, common);
-        app.parse(argc, argv);  // runs the command
-        return common.pass ? kDone : kCheckFailed;
-    } catch (const CLI::Success& help_or_version) {
-        return app.exit(help_or_version);
-    } catch (const CLI::ParseError& wrong_usage) {
-        return told(kBadInput, wrong_usage.what());
-    } catch (const keikan::InputError& bad_input) {
-        return told(kBadInput, bad_input.what());
-    } catch (const keikan::CheckFailure& mistake) {
-        return told(kCheckFailed, mistake.what());
-    } catch (const std::exception& mistake) {
-        return told(kCheckFailed, mistake.what());
-    }
+    using namespace keikan;
+    return run_program("keikan-verify", [argc, argv] {
+        CLI::App app("Every pixel against the exact oracle");
+        CommonOptions common;
+        try {
+            describe_program(app, common);
+            app.parse(argc, argv);  // runs the command
+            return common.pass ? kDone : kCheckFailed;
+        } catch (const CLI::Success& help_or_version) {
+            return app.exit(help_or_version);
+        } catch (const CLI::ParseError& wrong_usage) {
+            throw InputError(wrong_usage.what());
+        }
+    });
 }

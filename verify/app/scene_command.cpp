@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 
 #include "commands.hpp"
@@ -21,11 +22,9 @@
 namespace keikan {
 namespace {
 
-/// Of the pixels that faces may be in which are never asked about, one in so many is asked about them.
-constexpr std::uint64_t kLeftOutOneIn = 1;
-
 struct SceneCommand {
     std::string scene, size, pixels = "all", engine = "splitting", extract = "outline", report;
+    std::uint64_t left_out_one_in = 4;
 };
 
 Extraction extraction_of(const std::string& text) {
@@ -75,7 +74,7 @@ void scene(const SceneCommand& command, CommonOptions& common) {
     crosscheck::CheckSummary summary =
         check_bands(faces, geometry, read, scan, check, reported ? &picture : nullptr, progress);
     crosscheck::check_left_out(faces, project_faces(geometry, read.camera, HiddenBacks::Kept), size,
-                               common.seed, kLeftOutOneIn, summary);
+                               common.seed, command.left_out_one_in, summary);
     summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const std::string json =
@@ -100,6 +99,10 @@ void add_scene_command(CLI::App& app, CommonOptions& common) {
     sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
         ->capture_default_str();
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
+        ->capture_default_str();
+    sub->add_option("--left-out-one-in", command->left_out_one_in,
+                    "Of the pixels with faces that are never asked about, one in so many is asked about them")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
         ->capture_default_str();
     sub->add_option("--report", command->report,
                     "Folder for the picture, its errors, the flags and the summary");

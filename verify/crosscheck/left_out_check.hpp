@@ -9,7 +9,7 @@ namespace keikan::crosscheck {
 
 /// How much may be seen, in a pixel, of faces that truly cannot be: where a back meets the front that hides
 /// it, at the silhouette, the rounding of corners and planes by the projection decides which is nearer. That
-/// rounding moves coverages by some 1e-11 at most (docs/ground_truth.md); half a step of 16 bits is 8e-6.
+/// rounding moves coverages by some 3e-11 at most (docs/ground_truth.md); half a step of 16 bits is 8e-6.
 constexpr double kSeenByRounding = 1e-9;
 
 /// Lets the oracle decide whether the projection was right: in one of `one_in` pixels, all faces are in

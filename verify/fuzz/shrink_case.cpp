@@ -10,34 +10,13 @@
 #include <utility>
 
 #include "keikan/cases/convex_ring.hpp"
-#include "keikan/clip/orient2d.hpp"
+#include "keikan/clip/convex_hull.hpp"
 
 namespace keikan::fuzz {
 namespace {
 
 bool comes_before(Point a, Point b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
-/// The exact convex hull, by Andrew's monotone chain.
-Ring hull(Ring points) {
-    std::ranges::sort(points, comes_before);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    if (points.size() < 3) return points;
-    Ring ring;
-    const auto add_chain = [&](auto begin, auto end) {
-        const std::size_t start = ring.size();
-        for (auto p = begin; p != end; ++p) {
-            while (ring.size() >= start + 2 &&
-                   orient2d(ring[ring.size() - 2], ring.back(), *p) != Sign::Positive)
-                ring.pop_back();
-            ring.push_back(*p);
-        }
-        ring.pop_back();  // the next chain begins with it
-    };
-    add_chain(points.begin(), points.end());
-    add_chain(points.rbegin(), points.rend());
-    return ring;
 }
 
 bool is_negative_zero(double value) {
@@ -116,7 +95,7 @@ class Shrinking {
     /// Takes the candidate if it is smaller, valid and still a finding.
     bool take(PixelCase candidate) {
         for (Ring& ring : candidate.polygons)
-            if (!is_convex_ring(ring)) ring = hull(std::move(ring));
+            if (!is_convex_ring(ring)) clip::replace_by_hull(ring);
         if (questions_left_ == 0 || size_of(candidate) >= size_of(case_)) return false;
         --questions_left_;
         if (!still_fails_(candidate)) return false;

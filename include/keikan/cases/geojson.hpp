@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "keikan/cases/polygon.hpp"
+#include "keikan/cases/text_case_reader.hpp"
 #include "keikan/model/pixel_case.hpp"
 
 namespace keikan {
@@ -24,18 +24,10 @@ std::vector<Polygon> polygons_from_geojson(std::string_view text, const std::str
 /// may have the keys of a pixel case other than "polygons" as members; the id defaults to the line.
 ///
 /// Errors: InputError, as polygons_from_geojson and PixelCaseReader; a hole is one, too.
-class GeoJsonCaseReader {
-  public:
-    /// `text` must outlive the reader; `name` stands for it in messages.
-    GeoJsonCaseReader(std::string_view text, std::string name);
-    std::optional<PixelCase> next();
-
-  private:
-    std::string_view text_;
-    std::string name_;
-    std::size_t at_ = 0;
-    std::size_t line_ = 1;  ///< of `at_`
-};
+struct GeoJsonText;
+using GeoJsonCaseReader = TextCaseReader<GeoJsonText>;
+template <>
+std::optional<PixelCase> GeoJsonCaseReader::next();
 
 /// The case as a FeatureCollection on one line without its line end, one Feature for each polygon, with 17
 /// significant digits. GeoJsonCaseReader reads the same case again, bit for bit.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "keikan/cases/polygon.hpp"
+#include "keikan/cases/text_case_reader.hpp"
 #include "keikan/model/pixel_case.hpp"
 #include "keikan/model/point.hpp"
 
@@ -35,18 +35,10 @@ std::vector<Polygon> polygons_from_wkt(std::string_view text, const std::string&
 /// "# {...}" before it may state the keys of a pixel case other than "polygons"; the id defaults to the line.
 ///
 /// Errors: InputError, as polygons_from_wkt and PixelCaseReader; a hole is one, too.
-class WktCaseReader {
-  public:
-    /// `text` must outlive the reader; `name` stands for it in messages.
-    WktCaseReader(std::string_view text, std::string name);
-    std::optional<PixelCase> next();
-
-  private:
-    std::string_view text_;
-    std::string name_;
-    std::size_t at_ = 0;
-    std::size_t line_ = 1;  ///< of `at_`
-};
+struct WktText;
+using WktCaseReader = TextCaseReader<WktText>;
+template <>
+std::optional<PixelCase> WktCaseReader::next();
 
 /// The case in two lines: its keys other than "polygons" after "# ", and a GEOMETRYCOLLECTION with 17
 /// significant digits. WktCaseReader reads the same case again, bit for bit.
