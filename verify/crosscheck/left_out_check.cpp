@@ -2,6 +2,7 @@
 #include "left_out_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "certain_hiding.hpp"
@@ -33,7 +34,8 @@ std::vector<double> areas_from_above(oracle::CertifiedSplitting& certified_areas
         for (const oracle::CertifiedArea& area : certified.areas) areas.push_back(area.value + area.error);
     } else {
         const auto exact = oracle::areas_by_rational_splitting(pixel, faces, Nearness::ByDepth);
-        for (const CGAL::Gmpq& area : exact.areas) areas.push_back(CGAL::to_interval(area).second);
+        for (const mpq_class& area : exact.areas)
+            areas.push_back(std::nextafter(area.get_d(), 2));  // get_d rounds towards 0
     }
     return areas;
 }
