@@ -49,7 +49,8 @@ SobolGain::Note SobolGain::note(PixelIndex pixel, const std::vector<Rgb>& sample
 }
 
 void SobolGain::settle(const std::vector<Note>& notes) {
-    std::vector<double> blocks(exponent_.size(), 0), samples(exponent_.size(), 0), pixels(exponent_.size(), 0);
+    std::vector<double> blocks(exponent_.size(), 0), samples(exponent_.size(), 0),
+        pixels(exponent_.size(), 0);
     double all_blocks = 0, all_samples = 0;
     for (const Note& note : notes) {
         const std::size_t t = tile(note.pixel);
@@ -63,7 +64,8 @@ void SobolGain::settle(const std::vector<Note>& notes) {
     for (std::size_t t = 0; t < exponent_.size(); ++t) {
         const double own = samples[t] > 0 ? blocks[t] / samples[t] : whole;
         const double share = (pixels[t] * own + kWholePicture * whole) / (pixels[t] + kWholePicture);
-        exponent_[t] = std::log(std::clamp(share, kLeastShare, kMostShare)) / std::log(static_cast<double>(kBlock));
+        exponent_[t] =
+            std::log(std::clamp(share, kLeastShare, kMostShare)) / std::log(static_cast<double>(kBlock));
     }
 }
 

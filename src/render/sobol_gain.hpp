@@ -8,13 +8,13 @@
 
 namespace keikan {
 
-/// How much better Sobol's points are than as many independent ones, by part of the picture. The variance of samples
-/// tells the error of independent points alone; how much less Sobol's err depends on how smooth the water is, from a
-/// tenth of the variance far away to nine tenths where waves break up a reflection.
+/// How much better Sobol's points are than as many independent ones, by part of the picture. The variance of
+/// samples tells the error of independent points alone; how much less Sobol's err depends on how smooth the
+/// water is, from a tenth of the variance far away to nine tenths where waves break up a reflection.
 ///
-/// It is measured: some pixels of each tile take kBlocks blocks of kBlock points, a block being a randomised net by
-/// itself, and the variance of the blocks' means is held against that of the samples, both in codes of 8 bits. A tile
-/// with few such pixels leans on the whole picture.
+/// It is measured: some pixels of each tile take kBlocks blocks of kBlock points, a block being a randomised
+/// net by itself, and the variance of the blocks' means is held against that of the samples, both in codes of
+/// 8 bits. A tile with few such pixels leans on the whole picture.
 class SobolGain {
   public:
     static constexpr int kTile = 64, kStep = 8;  ///< pixels across a tile; one of kStep x kStep is measured
@@ -35,8 +35,8 @@ class SobolGain {
     /// Takes all notes, in this order.
     void settle(const std::vector<Note>& notes);
 
-    /// The variance of the mean of `count` of Sobol's points beside that of as many independent ones: a power of the
-    /// count, 1 for one point and as measured for kBlock.
+    /// The variance of the mean of `count` of Sobol's points beside that of as many independent ones: a power
+    /// of the count, 1 for one point and as measured for kBlock.
     double variance_share(PixelIndex pixel, std::size_t count) const;
 
   private:

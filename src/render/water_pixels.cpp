@@ -374,7 +374,8 @@ void WaterPixels::add_divided(int x, int y, std::span<const SeenPart> parts,
 
 /// What outlives a list of pixels.
 struct WaterPainter::Working {
-    Working(const Scene& scene, const SceneRays& rays, const ProjectedFaces& faces, const WaterOptions& options)
+    Working(const Scene& scene, const SceneRays& rays, const ProjectedFaces& faces,
+            const WaterOptions& options)
         : gain(scene.camera.size), shared{scene, faces, options, rays, gain} {}
     SobolGain gain;
     Shared shared;

@@ -83,7 +83,8 @@ class WaterPainter {
                  const WaterOptions& options);
     ~WaterPainter();
 
-    /// Before any list is painted in WaterMode::Variance: measures how well samples do, in some pixels of all of them.
+    /// Before any list is painted in WaterMode::Variance: measures how well samples do, in some pixels of all
+    /// of them.
     void measure(std::span<const WaterPixels> lists);
     /// The pixels of a list, side by side; those outside of options.window are left alone. `counts`, where
     /// given, holds each pixel's samples afterwards.

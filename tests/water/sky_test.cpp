@@ -43,7 +43,8 @@ TEST_CASE("Sky: the clear sky has the zenith's luminance times CIE's", "[water][
     const Sky sky(background, light);
     for (const glm::dvec3& d : {at_elevation(90), at_elevation(40, 70), at_elevation(5, 200)})
         CHECK(luminance(sky.colour(d)) ==
-              Approx(static_cast<double>(luminance(background.zenith)) * cie_clear_sky(d, light.to_sun)).epsilon(1e-4));
+              Approx(static_cast<double>(luminance(background.zenith)) * cie_clear_sky(d, light.to_sun))
+                  .epsilon(1e-4));
 }
 
 TEST_CASE("Sky: the sun's disc has the irradiance of the light", "[water][sky]") {
@@ -82,9 +83,12 @@ TEST_CASE("on_sun_disc: directions fill the disc of 0.2666 degrees evenly", "[wa
     CHECK(inner == Approx(1024).margin(20));  // half of the radius, a quarter of the area
 }
 
-TEST_CASE("FaceRays: a wall's shadow ends where the sun's rays do, in a penumbra of its distance times 2 tan 0.2666",
-          "[water][sky][shadow]") {
-    // The top edge of a wall at y = 0, 10 m high; the sun 45 degrees up beyond it: its shadow ends at y = -10 on z = 0.
+TEST_CASE(
+    "FaceRays: a wall's shadow ends where the sun's rays do, in a penumbra of its distance times 2 tan "
+    "0.2666",
+    "[water][sky][shadow]") {
+    // The top edge of a wall at y = 0, 10 m high; the sun 45 degrees up beyond it: its shadow ends at y = -10
+    // on z = 0.
     Mesh mesh;
     for (const glm::dvec3 p :
          {glm::dvec3(-500, 0, -1), glm::dvec3(500, 0, -1), glm::dvec3(500, 0, 10), glm::dvec3(-500, 0, 10)})
@@ -107,8 +111,9 @@ TEST_CASE("FaceRays: a wall's shadow ends where the sun's rays do, in a penumbra
         }
         return lit / 1024.0;
     };
-    // Across the rays the penumbra is distance * 2 tan 0.2666 degrees = 14.142 * 0.0093062 wide; on the ground, at 45
-    // degrees, sqrt 2 as much: 0.18612 m. Rays start kRayStart_m higher up, which moves it by as much.
+    // Across the rays the penumbra is distance * 2 tan 0.2666 degrees = 14.142 * 0.0093062 wide; on the
+    // ground, at 45 degrees, sqrt 2 as much: 0.18612 m. Rays start kRayStart_m higher up, which moves it by
+    // as much.
     const double half = 0.18612 / 2, slack = 3 * FaceRays::kRayStart_m;
     CHECK(lit_share(-10 - half - slack) == 1);
     CHECK(lit_share(-10 + half + slack) == 0);
