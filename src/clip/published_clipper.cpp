@@ -252,6 +252,12 @@ bool PublishedClipper::clip_piece(std::vector<Piece>& pieces, std::size_t k, con
     return false;
 }
 
+void PublishedClipper::show_step(const Piece& piece, const Ring& b, std::size_t i, std::size_t j) const {
+    const std::vector<Contact> found = intersections(piece.ring, b);
+    observer_(
+        {piece.ring, b, found, piece.sign, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+}
+
 std::vector<double> PublishedClipper::visible_areas(std::span<const Ring> polygons) {
     pieces_.assign(polygons.size(), {});
     for (std::size_t i = 0; i < polygons.size(); ++i) pieces_[i].push_back({polygons[i], 1, 0});
@@ -261,6 +267,7 @@ std::vector<double> PublishedClipper::visible_areas(std::span<const Ring> polygo
             std::vector<Piece> appended;
             for (std::size_t k = 0; k < pieces_[i].size(); ++k) {
                 if (pieces_[i][k].ring.empty()) continue;
+                if (observer_) show_step(pieces_[i][k], polygons[j], i, j);
                 if (clip_piece(pieces_[i], k, polygons[j], appended)) break;
             }
             for (Piece& piece : appended) pieces_[i].push_back(std::move(piece));

@@ -78,7 +78,7 @@ void Traversal::find_visible(PixelIndex pixel, const Entrants& entrants, std::ui
         if (other == who || !boxes_overlap(front.box, face.box)) continue;
         const std::span<const Point> clipper =
             in_order ? entrants.ring(front) : hiding_part(pixel, entrants, front, face);
-        if (!clipper.empty()) subtract(clipper, front.box, observer);
+        if (!clipper.empty()) subtract(clipper, front, face.position, observer);
     }
 }
 
@@ -88,7 +88,7 @@ void Traversal::find_background(const Entrants& entrants, const Observer& observ
     remaining_.append(kPixelRing, 1);
     for (const Entrant& face : entrants.faces) {
         if (remaining_.empty()) break;
-        subtract(entrants.ring(face), face.box, observer);
+        subtract(entrants.ring(face), face, VisiblePiece::kBackground, observer);
     }
     keep_remaining(VisiblePiece::kBackground);
 }
@@ -129,12 +129,14 @@ std::span<const Point> Traversal::hiding_part(PixelIndex pixel, const Entrants& 
     return nearer_part_;
 }
 
-/// Takes a clipper out of remaining_. As long as it is apart from all rings, they stay where they are.
-void Traversal::subtract(std::span<const Point> clipper, const Box& box, const Observer& observer) {
+/// Takes a clipper, of face `front`, out of remaining_, which is of face `behind`. As long as it is apart
+/// from all rings, they stay where they are.
+void Traversal::subtract(std::span<const Point> clipper, const Entrant& front, std::uint32_t behind,
+                         const Observer& observer) {
     bool changed = false;
     for (std::size_t i = 0; i < remaining_.size(); ++i) {
         const std::span<const Point> ring = remaining_.ring(i);
-        if (remaining_.size() == 1 || boxes_overlap(box_of(ring), box)) {
+        if (remaining_.size() == 1 || boxes_overlap(box_of(ring), front.box)) {
             const bool apart = difference_.position(ring, clipper) == IntersectionClassifier::Position::Apart;
             if (!apart) {
                 if (!changed) {
@@ -144,7 +146,8 @@ void Traversal::subtract(std::span<const Point> clipper, const Box& box, const O
                 }
                 difference_.append_rest(remaining_.sign(i), next_);
             }
-            if (observer) observer({ring, clipper, difference_.contacts()});
+            if (observer)
+                observer({ring, clipper, difference_.contacts(), remaining_.sign(i), behind, front.position});
             if (!apart) continue;
         }
         if (changed) next_.append(ring, remaining_.sign(i));

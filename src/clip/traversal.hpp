@@ -39,7 +39,8 @@ class Traversal {
     void keep_remaining(std::uint32_t face);
     std::span<const Point> hiding_part(PixelIndex pixel, const Entrants& entrants, const Entrant& front,
                                        const Entrant& behind);
-    void subtract(std::span<const Point> clipper, const Box& box, const Observer& observer);
+    void subtract(std::span<const Point> clipper, const Entrant& front, std::uint32_t behind,
+                  const Observer& observer);
 
     RingDifference difference_{IntersectionClassifier::Lattice::Pixel};
     SignedRings remaining_;

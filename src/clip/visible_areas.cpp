@@ -32,10 +32,12 @@ struct VisibleAreas::Working {
     clip::Traversal traversal;
     clip::Traversal::Observer observer;
     PublishedClipper published;
+    std::vector<VisibleOutline> published_outlines;
 
     PixelCoverage split_pixel(std::span<const FaceView> faces);
     PixelCoverage traverse_pixel();
     PixelCoverage publish_pixel();
+    std::span<const VisibleOutline> published_pieces();
     PixelCoverage coverage(double background);
 };
 
@@ -76,6 +78,17 @@ PixelCoverage VisibleAreas::Working::publish_pixel() {
         measure.area.add(areas[i]);
     }
     return coverage(free.area.value());
+}
+
+std::span<const VisibleOutline> VisibleAreas::Working::published_pieces() {
+    published_outlines.clear();
+    for (std::size_t i = 0; i <= entrants.faces.size(); ++i) {
+        const std::uint32_t face =
+            i < entrants.faces.size() ? entrants.faces[i].position : VisiblePiece::kBackground;
+        for (const PublishedClipper::Piece& piece : published.pieces_of(i))
+            if (piece.ring.size() >= 3) published_outlines.push_back({face, piece.sign, piece.ring});
+    }
+    return published_outlines;
 }
 
 /// The measures of entrants.faces as parts in the order of the question.
@@ -133,12 +146,24 @@ std::span<const VisiblePiece> VisibleAreas::pieces() {
 
 std::span<const VisibleOutline> VisibleAreas::outlines() {
     Working& work = *working_;
+    if (work.engine == Engine::Published) return work.published_pieces();
     if (work.engine != Engine::Traversal) return {};
     return work.traversal.outlines(work.entrants, work.observer);
 }
 
 void VisibleAreas::observe(std::function<void(const ClipStep&)> observer) {
     working_->observer = std::move(observer);
+    working_->published.observe({});
+    if (working_->engine != Engine::Published || !working_->observer) return;
+    // The published clipper knows the faces of the pixel by their order, and the background as the last.
+    working_->published.observe([work = working_.get()](ClipStep step) {
+        const auto position = [&](std::uint32_t i) {
+            return i < work->entrants.faces.size() ? work->entrants.faces[i].position : ClipStep::kBackground;
+        };
+        step.subject_face = position(step.subject_face);
+        step.clip_face = position(step.clip_face);
+        work->observer(step);
+    });
 }
 
 ClipStatistics VisibleAreas::statistics() const {

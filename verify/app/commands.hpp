@@ -14,8 +14,9 @@ struct CommonOptions {
     int threads = 0;  ///< 0: all of the machine
     std::uint64_t seed = 1;
     bool quiet = false;
-    std::string json;  ///< where the summary goes beside standard output; empty: nowhere
-    bool pass = true;  ///< what the command found
+    std::string json;          ///< where the summary goes beside standard output; empty: nowhere
+    std::string command_line;  ///< as it was given, in words of a shell
+    bool pass = true;          ///< what the command found
 };
 
 // Each adds its command to the program; parsing the command line then runs it and sets `common.pass`, which

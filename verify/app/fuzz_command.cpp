@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,8 @@
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
 #include "keikan/support/progress.hpp"
+#include "report/case_report.hpp"
+#include "report_page.hpp"
 #include "verdict.hpp"
 
 namespace keikan {
@@ -31,7 +35,7 @@ struct FuzzCommand {
     std::optional<std::uint64_t> count;
     double seconds = 0;
     std::uint64_t from = 0, shrink = fuzz::CampaignOptions().shrunk_per_family;
-    std::string depth = "as-made", save;
+    std::string depth = "as-made", save, report;
     bool resume = false;
     bool no_contacts = false;
     std::uint64_t rational_one_in = crosscheck::CaseCheckOptions().rational_one_in;
@@ -134,29 +138,118 @@ std::string json_of(const fuzz::CampaignOptions& options, const fuzz::CampaignSt
     return json.dump();
 }
 
+/// The command that asks about one case of the campaign again; nothing for an id that is none of its own.
+std::string replay_of(const std::string& id, const FuzzCommand& command,
+                      const fuzz::CampaignOptions& options) {
+    // "family/seed/index", and "/always" or "/never"
+    const std::string family = id.substr(0, id.find('/'));
+    const std::size_t index = id.find('/', family.size() + 1) + 1;
+    std::string engines;
+    for (const fuzz::Examinee& e : options.examinees) engines += (engines.empty() ? "" : ",") + e.name;
+    return fmt::format("keikan-verify fuzz --family {} --seed {} --from {} --count 1 --engine {}{}{}", family,
+                       options.cases.seed, id.substr(index, id.find('/', index) - index), engines,
+                       command.depth == "as-made" ? "" : " --depth " + command.depth,
+                       command.no_contacts ? " --no-contacts" : "");
+}
+
+/// The case of the campaign that bears this id.
+PixelCase case_of(const std::string& id, const fuzz::CaseSeries& series) {
+    const std::string family = id.substr(0, id.find('/'));
+    const std::size_t at = id.find('/', family.size() + 1) + 1;
+    const std::uint64_t index = std::stoull(id.substr(at, id.find('/', at) - at));
+    for (std::size_t f = 0; f < series.families.size(); ++f)
+        if (fuzz::name_of(series.families[f]) == family) return series(index * series.families.size() + f);
+    throw InputError(id, "", "is no case of this campaign");
+}
+
+/// Cases of a campaign for its page, each once: those with a disagreement that the summary lists, the worst,
+/// and the first of each family, to show what was tried.
+class FuzzPixels {
+  public:
+    FuzzPixels(const FuzzCommand& command, const fuzz::CampaignOptions& options)
+        : command_(command), options_(options) {}
+
+    report::PixelToShow& at(const std::string& id, report::Reason reason) {
+        const auto [place, is_new] = places_.try_emplace(id, pixels.size());
+        if (is_new) {
+            const std::string& engine = options_.examinees.front().name;
+            pixels.push_back(report::case_to_show(case_of(id, options_.cases), engine_of(engine)));
+            pixels.back().note = id.substr(0, id.find('/'));
+            pixels.back().command = replay_of(id, command_, options_);
+        }
+        report::PixelToShow& pixel = pixels[place->second];
+        if (std::ranges::count(pixel.reasons, reason) == 0) pixel.reasons.push_back(reason);
+        return pixel;
+    }
+
+    std::vector<report::PixelToShow> pixels;
+
+  private:
+    const FuzzCommand& command_;
+    const fuzz::CampaignOptions& options_;
+    std::map<std::string, std::size_t> places_;
+};
+
+/// Of each family how many cases were asked and, of the findings that the summary lists, how many are its
+/// own.
+nlohmann::ordered_json families_json(const fuzz::CampaignOptions& options, const fuzz::CampaignState& state,
+                                     const crosscheck::CheckSummary& summary) {
+    std::map<std::string, std::set<std::string>> found;
+    for (const crosscheck::Disagreement& d : summary.disagreements)
+        found[d.case_id.substr(0, d.case_id.find('/'))].insert(d.case_id);
+    nlohmann::ordered_json families = nlohmann::ordered_json::array();
+    const std::uint64_t n = options.cases.families.size(), end = state.first + state.done;
+    for (std::uint64_t f = 0; f < n; ++f) {
+        const auto below = [&](std::uint64_t number) { return number / n + (number % n > f ? 1 : 0); };
+        const std::string name(fuzz::name_of(options.cases.families[f]));
+        families.push_back(
+            {{"name", name}, {"tried", below(end) - below(state.first)}, {"findings", found[name].size()}});
+    }
+    return families;
+}
+
+void write_report(const FuzzCommand& command, const CommonOptions& common,
+                  const fuzz::CampaignOptions& options, const fuzz::CampaignState& state,
+                  const std::string& json) {
+    const crosscheck::CheckSummary summary = fuzz::summary_of(state);
+    report::Page page = page_of("fuzz", common);
+    page.subject = fmt::format("{} families", options.cases.families.size());
+    page.engine = options.examinees.front().name;
+    page.summary = json;
+    page.junit = report::junit_cases(summary);
+    page.more = nlohmann::ordered_json{{"families", families_json(options, state, summary)},
+                                       {"listed", summary.disagreements.size()}}
+                    .dump();
+    FuzzPixels chosen(command, options);
+    for (const crosscheck::Disagreement& d : summary.disagreements) {
+        report::PixelToShow& pixel = chosen.at(d.case_id, report::Reason::Disagrees);
+        pixel.error = std::max(pixel.error, d.error);
+        pixel.disagreements.push_back(d);
+    }
+    for (const crosscheck::WorstPixel& w : summary.worst) {
+        report::PixelToShow& pixel = chosen.at(w.case_id, report::Reason::Worst);
+        pixel.error = std::max(pixel.error, w.error);
+    }
+    for (std::size_t f = 0; f < std::min<std::size_t>(options.cases.families.size(), state.done); ++f)
+        chosen.at(options.cases(state.first + f).id, report::Reason::Sample);
+    page.pixels = std::move(chosen.pixels);
+    report::write_page(command.report, page);
+}
+
 void run_fuzz(const FuzzCommand& command, CommonOptions& common) {
     const fuzz::CampaignOptions options = campaign_of(command, common);
     const ThreadLimit threads(common.threads);
     if (!common.quiet) fmt::print(stderr, "seed {}\n", common.seed);
+    if (!command.report.empty()) report::make_report_folder(command.report);
     fuzz::CampaignState state;
     {
         CampaignProgress progress(options, !common.quiet);
         state = fuzz::run_campaign(options, std::ref(progress));
     }
-    tell_verdict(
-        fuzz::summary_of(state), json_of(options, state), common, [&](const crosscheck::Disagreement& d) {
-            // "family/seed/index", and "/always" or "/never"
-            const std::string family = d.case_id.substr(0, d.case_id.find('/'));
-            const std::size_t index = d.case_id.find('/', family.size() + 1) + 1;
-            std::string engines;
-            for (const fuzz::Examinee& e : options.examinees)
-                engines += (engines.empty() ? "" : ",") + e.name;
-            return fmt::format("keikan-verify fuzz --family {} --seed {} --from {} --count 1 --engine {}{}{}",
-                               family, common.seed,
-                               d.case_id.substr(index, d.case_id.find('/', index) - index), engines,
-                               command.depth == "as-made" ? "" : " --depth " + command.depth,
-                               command.no_contacts ? " --no-contacts" : "");
-        });
+    const std::string json = json_of(options, state);
+    if (!command.report.empty()) write_report(command, common, options, state, json);
+    tell_verdict(fuzz::summary_of(state), json, common,
+                 [&](const crosscheck::Disagreement& d) { return replay_of(d.case_id, command, options); });
     if (!options.folder.empty() && !state.stored.empty() && !common.quiet)
         fmt::print(stderr, "{} findings, {} different ones kept in {}\n", state.findings, state.stored.size(),
                    options.folder.string());
@@ -197,6 +290,8 @@ void add_fuzz_command(CLI::App& app, CommonOptions& common) {
         ->capture_default_str();
     sub->add_flag("--no-contacts", command->no_contacts,
                   "Areas only: do not classify the clipper's contacts");
+    sub->add_option("--report", command->report,
+                    "Folder for the page of the pixel inspector and the summary");
     sub->callback([command, &common] { run_fuzz(*command, common); });
 }
 

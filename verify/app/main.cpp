@@ -15,6 +15,7 @@
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/program.hpp"
 #include "truth_command.hpp"
+#include "verdict.hpp"
 
 namespace {
 
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
         CommonOptions common;
         try {
             describe_program(app, common);
+            common.command_line = command_line(argc, argv);
             app.parse(argc, argv);  // runs the command
             return common.pass ? kDone : kCheckFailed;
         } catch (const CLI::Success& help_or_version) {

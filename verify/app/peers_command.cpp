@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,6 +27,8 @@
 #include "peers/bug_report.hpp"
 #include "peers/contest.hpp"
 #include "peers/table.hpp"
+#include "report/case_report.hpp"
+#include "report_page.hpp"
 #include "verdict.hpp"
 
 namespace keikan {
@@ -34,7 +37,7 @@ namespace {
 using namespace peers;
 
 struct PeersCommand {
-    std::string file, chart, show;
+    std::string file, chart, show, report;
     std::vector<std::string> families{"all"}, peers, programs;
     std::uint64_t count = 10'000;
     int samples = 16;
@@ -147,15 +150,58 @@ void tell_depth(const Contest& contest) {
                        s.knows_depth ? ": too much went wrong before" : ", which have depth planes");
 }
 
+/// What a contestant gets wrong, beside the answer of the traversal.
+report::PixelToShow pixel_to_show(const Finding& finding, const std::string& name) {
+    report::PixelToShow show = report::case_to_show(finding.pixel_case, Engine::Traversal);
+    report::NamedClaim claim{name, {finding.reply.answer.areas, finding.reply.answer.background}};
+    if (finding.reply.outcome != Outcome::Answered)
+        claim.failure = finding.reply.reason.empty() ? "no answer" : finding.reply.reason;
+    show.claims.insert(show.claims.begin(), std::move(claim));
+    show.note = name;
+    show.reasons = {report::Reason::Worst};
+    show.error =
+        finding.reply.outcome == Outcome::Answered ? finding.error : std::numeric_limits<double>::infinity();
+    return show;
+}
+
+std::vector<report::JunitCase> junit_cases(const std::vector<Standing>& standings) {
+    std::vector<report::JunitCase> cases;
+    for (const Standing& s : standings) {
+        if (!s.promises) continue;
+        report::JunitCase one{s.name + " keeps its bound", {}, s.broken_promises};
+        if (s.broken_promises > 0) one.failures.push_back("the worst is " + s.worst);
+        cases.push_back(std::move(one));
+    }
+    return cases;
+}
+
+void write_report(const PeersCommand& command, const CommonOptions& common, const Contest& result,
+                  const std::string& json) {
+    report::Page page = page_of("peers", common);
+    page.subject = command.file.empty() ? fmt::format("{} pixels", result.pixels) : command.file;
+    page.engine = "traversal";
+    page.summary = json;
+    page.junit = junit_cases(result.standings);
+    for (std::size_t c = 0; c < result.standings.size(); ++c) {
+        if (result.worst_few[c].empty() && result.worst[c])  // never wrong: its worst all the same
+            page.pixels.push_back(pixel_to_show(*result.worst[c], result.standings[c].name));
+        for (const Finding& finding : result.worst_few[c])
+            page.pixels.push_back(pixel_to_show(finding, result.standings[c].name));
+    }
+    report::write_page(command.report, page);
+}
+
 void compare_peers(const PeersCommand& command, CommonOptions& common) {
     const ThreadLimit threads(common.threads);
     const auto start = std::chrono::steady_clock::now();
+    if (!command.report.empty()) report::make_report_folder(command.report);
     const Contest result = held(command, chosen_contestants(command), common);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     common.pass =
         std::ranges::all_of(result.standings, [](const Standing& s) { return s.broken_promises == 0; });
 
     const std::string json = summary_json(result, common, seconds);
+    if (!command.report.empty()) write_report(command, common, result, json);
     if (!command.chart.empty()) write_whole_file(command.chart, table_as_chart(result.standings));
     if (!common.json.empty() && common.json != "-") write_whole_file(common.json, json + "\n");
     std::fputs(common.json == "-" ? (json + "\n").c_str() : table_in_markdown(result.standings).c_str(),
@@ -258,6 +304,8 @@ void add_peers_command(CLI::App& app, CommonOptions& common) {
         ->check(CLI::Range(0.01, 3600.0));
     sub->add_option("--chart", command->chart, "Draw the table, an SVG");
     sub->add_option("--show", command->show, "FAMILY:PEER: print that peer's worst pixel as a bug report");
+    sub->add_option("--report", command->report,
+                    "Folder for the page of the pixel inspector and the summary");
     sub->callback([command, &common] {
         if (command->show.empty())
             compare_peers(*command, common);

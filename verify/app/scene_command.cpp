@@ -8,7 +8,6 @@
 
 #include "commands.hpp"
 #include "crosscheck/left_out_check.hpp"
-#include "crosscheck/report.hpp"
 #include "crosscheck/scene_check.hpp"
 #include "keikan/render/shade.hpp"
 #include "keikan/scan/scan_scene.hpp"
@@ -17,6 +16,8 @@
 #include "keikan/support/parallel.hpp"
 #include "keikan/support/progress.hpp"
 #include "picture_size.hpp"
+#include "report/scene_report.hpp"
+#include "report_page.hpp"
 #include "verdict.hpp"
 
 namespace keikan {
@@ -42,13 +43,27 @@ bool flagged_only_of(const std::string& text) {
 /// Scans the picture, and checks and paints each band as it comes.
 crosscheck::CheckSummary check_bands(const ProjectedFaces& faces, const Geometry& geometry,
                                      const Scene& scene, const ScanOptions& scan,
-                                     crosscheck::SceneCheck& check, Image<Rgb>* picture, Progress& progress) {
+                                     crosscheck::SceneCheck& check, report::SceneLayers* layers,
+                                     Image<Rgb>& picture, Progress& progress) {
     scan_faces(faces, geometry, scene.camera, scan, [&](const ScanBand& band) {
         check.take(band);
-        if (picture) shade_band(band, scene, *picture);
+        if (layers) {
+            layers->take(band);
+            shade_band(band, scene, picture);
+        }
         progress.advance(static_cast<std::size_t>(band.rows));
     });
     return check.finish();
+}
+
+report::Page page_of(const SceneCommand& command, const CommonOptions& common, const std::string& summary) {
+    report::Page page = page_of("scene", common);
+    page.subject = command.scene;
+    page.scene = shell_word(command.scene);
+    page.size = command.size;
+    page.engine = command.engine;
+    page.summary = summary;
+    return page;
 }
 
 void scene(const SceneCommand& command, CommonOptions& common) {
@@ -60,7 +75,8 @@ void scene(const SceneCommand& command, CommonOptions& common) {
     options.engine = engine_of(command.engine);
     options.seed = common.seed;
     const bool reported = !command.report.empty();
-    if (reported) crosscheck::make_report_folder(command.report);
+    options.kinds = reported;
+    if (reported) report::make_report_folder(command.report);
     const ThreadLimit threads(common.threads);
     const auto start = std::chrono::steady_clock::now();
 
@@ -71,15 +87,18 @@ void scene(const SceneCommand& command, CommonOptions& common) {
     Progress progress("verifying", static_cast<std::size_t>(size.height), !common.quiet);
     crosscheck::SceneCheck check(faces, geometry, size, options);
     Image<Rgb> picture(reported ? size : ImageSize{});
+    report::SceneLayers layers(faces, geometry, reported ? size : ImageSize{});
     crosscheck::CheckSummary summary =
-        check_bands(faces, geometry, read, scan, check, reported ? &picture : nullptr, progress);
+        check_bands(faces, geometry, read, scan, check, reported ? &layers : nullptr, picture, progress);
     crosscheck::check_left_out(faces, project_faces(geometry, read.camera, HiddenBacks::Kept), size,
                                common.seed, command.left_out_one_in, summary);
     summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const std::string json =
         crosscheck::summary_json(summary, options.spans_are_exact ? nullptr : &check.unflagged());
-    if (reported) crosscheck::write_report(command.report, picture, check, json);
+    if (reported)
+        report::write_scene_report(command.report, page_of(command, common, json),
+                                   {faces, check, summary, options, layers, picture});
     const std::string sized = command.size.empty() ? "" : " --size " + command.size;
     tell_verdict(summary, json, common, [&](const crosscheck::Disagreement& d) {
         return fmt::format("keikan pixel {} --at {},{}{} | keikan-verify areas -", shell_word(command.scene),
@@ -104,8 +123,9 @@ void add_scene_command(CLI::App& app, CommonOptions& common) {
                     "Of the pixels with faces that are never asked about, one in so many is asked about them")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
         ->capture_default_str();
-    sub->add_option("--report", command->report,
-                    "Folder for the picture, its errors, the flags and the summary");
+    sub->add_option(
+        "--report", command->report,
+        "Folder for the page of the pixel inspector, the picture, its errors, the flags and the summary");
     sub->callback([command, &common] { scene(*command, common); });
 }
 

@@ -61,4 +61,10 @@ std::string shell_word(const std::string& text) {
     return quoted + "'";
 }
 
+std::string command_line(int argc, const char* const* argv) {
+    std::string line = "keikan-verify";
+    for (int i = 1; i < argc; ++i) line += " " + shell_word(argv[i]);
+    return line;
+}
+
 }  // namespace keikan

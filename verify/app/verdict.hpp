@@ -21,4 +21,7 @@ Engine engine_of(const std::string& name);
 /// `text` as one word of a shell command.
 std::string shell_word(const std::string& text);
 
+/// The command as it was given, with "keikan-verify" for the program.
+std::string command_line(int argc, const char* const* argv);
+
 }  // namespace keikan

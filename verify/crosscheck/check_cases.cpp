@@ -16,7 +16,7 @@ constexpr std::size_t kCasesAtOnce = 512;
 
 /// One of each kind for a thread, or for a run of cases.
 struct Working {
-    explicit Working(Engine engine) : product(engine) {}
+    explicit Working(const CaseCheckOptions& options) : product(options.engine), contacts(options.kinds) {}
     VisibleAreas product;
     PixelComparison compare;
     ContactCheck contacts;
@@ -52,6 +52,7 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
     const bool answered = pixel_case.areas || pixel_case.background;
     PixelVerdict verdict = working.compare(question, claims, proofs, answered ? &given : nullptr);
     verdict.contacts = of_contacts.contacts;
+    verdict.kinds = of_contacts.kinds;
     verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
     verdict.disagreements.insert(verdict.disagreements.end(), of_contacts.disagreements.begin(),
                                  of_contacts.disagreements.end());
@@ -62,7 +63,7 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
 }  // namespace
 
 PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options) {
-    Working working(options.engine);
+    Working working(options);
     return verdict_of(pixel_case, index, options, working);
 }
 
@@ -73,7 +74,8 @@ CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCh
 
 CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next,
                          const CaseCheckOptions& options,
-                         const std::function<void(const PixelCase&, const PixelVerdict&)>& finding) {
+                         const std::function<void(const PixelCase&, const PixelVerdict&)>& finding,
+                         const std::function<void(const PixelCase&, const PixelVerdict&)>& seen) {
     CheckSummary summary;
     for (std::uint64_t first = 0;;) {
         std::vector<PixelCase> cases;
@@ -84,12 +86,13 @@ CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next,
                 break;
         std::vector<PixelVerdict> verdicts(cases.size());
         parallel_ranges(cases.size(), 8, [&](std::size_t begin, std::size_t end) {
-            Working working(options.engine);
+            Working working(options);
             for (std::size_t i = begin; i < end; ++i)
                 verdicts[i] = verdict_of(cases[i], first + i, options, working);
         });
         for (std::size_t i = 0; i < cases.size(); ++i) {
             summary.add(verdicts[i], cases[i].pixel, cases[i].id, cases[i].polygons.size());
+            if (seen) seen(cases[i], verdicts[i]);
             if (finding && !verdicts[i].disagreements.empty()) finding(cases[i], verdicts[i]);
         }
         first += cases.size();

@@ -17,6 +17,7 @@ struct CaseCheckOptions {
     /// Every contact of the paper's clipper is classified too, and its areas (Engine::Traversal) are held to
     /// the same bounds.
     bool contacts = true;
+    bool kinds = false;      ///< PixelVerdict::kinds is found too
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// So many cases at the start of each file are put to every rung; after them one in so many.
     std::uint64_t all_rungs_for_first = 256;
@@ -32,10 +33,11 @@ struct CaseCheckOptions {
 CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCheckOptions& options);
 
 /// The same for the cases that `next` gives, one after the other, until it gives none. `finding` is called,
-/// in their order, with each case that has a disagreement.
+/// in their order, with each case that has a disagreement, and `seen` with every case.
 CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next,
                          const CaseCheckOptions& options,
-                         const std::function<void(const PixelCase&, const PixelVerdict&)>& finding = {});
+                         const std::function<void(const PixelCase&, const PixelVerdict&)>& finding = {},
+                         const std::function<void(const PixelCase&, const PixelVerdict&)>& seen = {});
 
 /// One case; `index` is its place in the file.
 PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options);

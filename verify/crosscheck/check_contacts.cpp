@@ -41,9 +41,14 @@ struct ContactCheck::Working {
     PixelIndex pixel;
     PixelVerdict* verdict = nullptr;
     bool by_constructions = false;
+    std::optional<KindsOfPixel> kinds;
 
-    Working() {
-        traversal.observe([this](const ClipStep& step) { check(step); });
+    explicit Working(bool with_kinds) {
+        if (with_kinds) kinds.emplace();
+        traversal.observe([this](const ClipStep& step) {
+            check(step);
+            if (kinds) kinds->take(step);
+        });
     }
 
     void disagree(Disagreement::Kind kind, const std::string& note) {
@@ -70,7 +75,7 @@ struct ContactCheck::Working {
     }
 };
 
-ContactCheck::ContactCheck() : working_(std::make_unique<Working>()) {}
+ContactCheck::ContactCheck(bool kinds) : working_(std::make_unique<Working>(kinds)) {}
 ContactCheck::~ContactCheck() = default;
 ContactCheck::ContactCheck(ContactCheck&&) noexcept = default;
 ContactCheck& ContactCheck::operator=(ContactCheck&&) noexcept = default;
@@ -80,9 +85,11 @@ PixelCoverage ContactCheck::operator()(const Question& question, PixelVerdict& v
     working_->by_constructions = by_constructions;
     working_->pixel = question.pixel;
     working_->verdict = &verdict;
+    if (working_->kinds) working_->kinds->start();
     const std::uint64_t folds = working_->traversal.statistics().folds;
     const PixelCoverage coverage = working_->traversal(question.pixel, question.faces, question.nearness);
     verdict.contacts.folds += working_->traversal.statistics().folds - folds;
+    if (working_->kinds) verdict.kinds = working_->kinds->kinds(working_->traversal.outlines());
     return coverage;
 }
 

@@ -11,6 +11,7 @@
 #include "keikan/model/face.hpp"
 #include "keikan/model/pixel.hpp"
 #include "oracle/exact_areas.hpp"
+#include "pixel_kinds.hpp"
 
 namespace keikan::crosscheck {
 
@@ -77,6 +78,7 @@ struct PixelVerdict {
     double sum_error = 0;   ///< |areas + background - 1|
     RungCounts rungs;
     ContactCounts contacts;
+    PixelKinds kinds = 0;  ///< where ContactCheck was asked for them
     std::vector<Disagreement> disagreements;
 };
 

@@ -21,6 +21,10 @@ namespace {
 /// wrong they confirm the first few.
 constexpr int kConfirmedPerRow = 4;
 
+std::uint16_t at_most_16_bits(std::size_t count) {
+    return static_cast<std::uint16_t>(std::min<std::size_t>(count, 0xFFFF));
+}
+
 void add_sorted(std::vector<std::uint32_t>& faces, std::uint32_t face) {
     const auto at = std::ranges::lower_bound(faces, face);
     if (at == faces.end() || *at != face) faces.insert(at, face);
@@ -42,6 +46,7 @@ class SceneCheck::RowCheck {
           claimed_(claimed_row(band, y, check.size_.width, check.faces_)),
           row_(check.bins_.row(y)) {
         if (check.options_.engine != Engine::Splitting) engine_.emplace(check.options_.engine);
+        if (check.options_.kinds) contacts_ = ContactCheck(true);
     }
 
     RowResult run() {
@@ -76,6 +81,9 @@ class SceneCheck::RowCheck {
             check_.errors_[pixel] = static_cast<float>(verdict.area_error);
         }
         if (!verdict.disagreements.empty()) check_.wrong_[pixel] = 1;
+        check_.face_counts_[pixel] = at_most_16_bits(candidates.size());
+        check_.asked_counts_[pixel] = at_most_16_bits(verdict.faces);
+        check_.kinds_[pixel] = verdict.kinds;
         result_.summary.add(verdict, pixel, {}, candidates.size());
     }
 
@@ -160,7 +168,10 @@ SceneCheck::SceneCheck(const ProjectedFaces& faces, const Geometry& geometry, Im
       hiding_(faces),
       errors_(size),
       flags_(size),
-      wrong_(size) {}
+      wrong_(size),
+      face_counts_(size),
+      asked_counts_(size),
+      kinds_(size) {}
 
 void SceneCheck::take(const ScanBand& band) {
     KEIKAN_CHECK(band.first_row == next_row_ && band.rows > 0 && band.first_row + band.rows <= size_.height,
@@ -179,6 +190,13 @@ void SceneCheck::take(const ScanBand& band) {
         unflagged_ += result.unflagged;
     }
     next_row_ += band.rows;
+}
+
+std::vector<std::uint32_t> SceneCheck::faces_asked(PixelIndex pixel) const {
+    CertainHiding::Remaining remaining;
+    const FaceBins::Row row = bins_.row(pixel.y);
+    hiding_(pixel, row.at(pixel.x), remaining);
+    return remaining.faces;
 }
 
 const CheckSummary& SceneCheck::finish() {

@@ -22,7 +22,8 @@ struct SceneCheckOptions {
     /// beside it, and answers for them; everything else is the scan's.
     Engine engine = Engine::Splitting;
     bool contacts =
-        true;  ///< classify every contact of the paper's clipper too, wherever the oracle is asked
+        true;            ///< classify every contact of the paper's clipper too, wherever the oracle is asked
+    bool kinds = false;  ///< what is met in each pixel is noted too (SceneCheck::kinds)
     std::uint64_t seed = 1;  ///< chooses the samples below
     /// One pixel in so many is put, with every face whose bounding box meets it, to rational splitting and to
     /// CGAL's Boolean set operations, whatever the cheaper rungs say.
@@ -42,7 +43,7 @@ enum class Flag : std::uint8_t { OneFace, ExactAreas, Scanline };
 /// Properties:
 ///   (1) The verdict, and every number but `seconds`, is the same for any number of threads.
 ///   (2) Every pixel of the picture is checked exactly once, or is a Disagreement of form.
-/// Memory:  the projected faces, their bins, and two bytes and a float for each pixel of the picture.
+/// Memory:  the projected faces, their bins, and seven bytes and a float for each pixel of the picture.
 class SceneCheck {
   public:
     /// All references must outlive this.
@@ -62,6 +63,17 @@ class SceneCheck {
     const Image<Flag>& flags() const { return flags_; }
     /// Pixels with a disagreement.
     const Image<std::uint8_t>& wrong() const { return wrong_; }
+    /// Faces that may be in each pixel, at most 65535 of them; their sum is CheckSummary::polygons.
+    const Image<std::uint16_t>& faces() const { return face_counts_; }
+    /// Of these, those that the oracle was asked about: they choose the bounds. 0 where certain hiding
+    /// decided.
+    const Image<std::uint16_t>& asked() const { return asked_counts_; }
+    /// What was met where the contacts were checked (SceneCheckOptions::kinds).
+    const Image<PixelKinds>& kinds() const { return kinds_; }
+
+    /// What was asked of the oracle in a pixel: the faces that may be in it but for those that are certainly
+    /// hidden, in rising order.
+    std::vector<std::uint32_t> faces_asked(PixelIndex pixel) const;
 
   private:
     struct RowResult;
@@ -80,6 +92,9 @@ class SceneCheck {
     Image<float> errors_;
     Image<Flag> flags_;
     Image<std::uint8_t> wrong_;
+    Image<std::uint16_t> face_counts_;
+    Image<std::uint16_t> asked_counts_;
+    Image<PixelKinds> kinds_;
 };
 
 }  // namespace keikan::crosscheck

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "peers/contest.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "keikan/support/parallel.hpp"
@@ -30,11 +31,18 @@ std::vector<Truth> truths_of(const Batch& batch) {
 }
 
 void keep_worst(std::optional<Finding>& worst, const Batch& batch, const std::vector<Truth>& truths,
-                Round& round) {
+                Round& round, std::vector<Finding>& few) {
     for (std::size_t i = 0; i < round.replies.size(); ++i) {
         Reply& reply = round.replies[i];
         if (reply.outcome == Outcome::NotAsked) continue;
         const double error = reply.outcome == Outcome::Answered ? error_of(reply.answer, truths[i]) : 0;
+        const bool wrong = reply.outcome != Outcome::Answered || error > kWrongBy.front();
+        if (wrong && (few.size() < Contest::kWorstFew || is_worse(reply, error, few.back()))) {
+            if (few.size() == Contest::kWorstFew) few.pop_back();
+            const auto place =
+                std::ranges::find_if(few, [&](const Finding& f) { return is_worse(reply, error, f); });
+            few.insert(place, {batch.cases[i], reply, error});
+        }
         if (worst && !is_worse(reply, error, *worst)) continue;
         worst = Finding{batch.cases[i], std::move(reply), error};
     }
@@ -54,6 +62,7 @@ Contest contest(const std::function<std::optional<PixelCase>()>& next,
         result.standings.push_back(standing);
     }
     result.worst.resize(contestants.size());
+    result.worst_few.resize(contestants.size());
     for (Batch batch = next_batch(next); !batch.cases.empty(); batch = next_batch(next)) {
         const std::vector<Truth> truths = truths_of(batch);
         result.pixels += batch.cases.size();
@@ -64,7 +73,7 @@ Contest contest(const std::function<std::optional<PixelCase>()>& next,
         for (std::size_t c = 0; c < contestants.size(); ++c) {
             Round round = contestants[c].ask(batch);
             add_round(result.standings[c], contestants[c], batch, truths, round);
-            keep_worst(result.worst[c], batch, truths, round);
+            keep_worst(result.worst[c], batch, truths, round, result.worst_few[c]);
             if (asked) asked(batch.cases.size());
         }
     }

@@ -15,6 +15,9 @@ namespace keikan::peers {
 struct Contest {
     std::vector<Standing> standings;            ///< parallel to the contestants
     std::vector<std::optional<Finding>> worst;  ///< of each, the pixel that is_worse than its others
+    std::vector<std::vector<Finding>>
+        worst_few;  ///< of each, up to kWorstFew answered wrongly or not, worst first
+    static constexpr std::size_t kWorstFew = 8;
     std::uint64_t pixels = 0;
     std::uint64_t polygons = 0;
     std::uint64_t certified = 0;  ///< pixels whose truth the certified rung told

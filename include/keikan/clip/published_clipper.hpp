@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "keikan/clip/classify_intersections.hpp"
+#include "keikan/model/clip_step.hpp"
 #include "keikan/model/point.hpp"
 
 namespace keikan {
@@ -75,12 +77,18 @@ class PublishedClipper {
 
     const PublishedTroubles& troubles() const { return troubles_; }
 
+    /// Every clip step of the calls to come is shown to `observer`: a piece, the polygon that clips it, and
+    /// `intersections` of the two; the faces are positions in `polygons`.
+    void observe(std::function<void(const ClipStep&)> observer) { observer_ = std::move(observer); }
+
   private:
     bool clip_piece(std::vector<Piece>& pieces, std::size_t k, const Ring& b, std::vector<Piece>& appended);
+    void show_step(const Piece& piece, const Ring& b, std::size_t i, std::size_t j) const;
 
     PublishedReading reading_;
     std::vector<std::vector<Piece>> pieces_;  ///< of polygon i; n[i] of Fig. 3 is pieces_[i].size()
     PublishedTroubles troubles_;
+    std::function<void(const ClipStep&)> observer_;
 };
 
 }  // namespace keikan

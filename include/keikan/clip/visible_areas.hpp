@@ -68,10 +68,13 @@ class VisibleAreas {
     std::span<const VisiblePiece> pieces();
 
     /// The visible regions of the last call as sums of signed rings without seams, the background among them.
-    /// Engine::Traversal only; nothing of the others.
+    /// Engine::Traversal, and Engine::Published as far as it goes: its pieces, without the areas that Fig. 3
+    /// only remembers to subtract. Nothing of Engine::Splitting.
     std::span<const VisibleOutline> outlines();
 
-    /// Engine::Traversal: every clip step of the calls to come is shown to `observer`, in order.
+    /// Engine::Traversal and Engine::Published: every clip step of the calls to come is shown to `observer`,
+    /// in order. Published's contacts have no turns: they are numbered, odd ones enter (Turn::Touch stands
+    /// there).
     void observe(std::function<void(const ClipStep&)> observer);
 
     ClipStatistics statistics() const;
