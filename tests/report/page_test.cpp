@@ -100,7 +100,7 @@ TEST_CASE("junit: a failure for each kind of disagreement, with what it says", "
     wrong.case_id = kHostile;
     summary.add(wrong);
     const std::string xml = junit_xml("a \"suite\"", junit_cases(summary), 1.5);
-    CHECK(xml.find("tests=\"8\" failures=\"1\"") != std::string::npos);
+    CHECK(xml.find("tests=\"9\" failures=\"1\"") != std::string::npos);
     CHECK(xml.find("time=\"1.500\"") != std::string::npos);
     CHECK(xml.find("<img") == std::string::npos);
     CHECK(xml.find("&lt;img src=x") != std::string::npos);
