@@ -7,7 +7,6 @@
 #include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "crosscheck/error_bounds.hpp"
@@ -53,12 +52,6 @@ Json face_json(std::uint32_t face) {
     return face == ClipStep::kBackground ? Json(-1) : Json(face);
 }
 
-std::string fraction(const CGAL::Gmpq& number) {
-    std::ostringstream out;
-    out << number;
-    return out.str();
-}
-
 Json question_json(const PixelToShow& pixel) {
     const PixelCase& asked = pixel.asked;
     Json faces = Json::array();
@@ -82,8 +75,8 @@ Json exact_json(const crosscheck::Question& question) {
         const auto exact =
             oracle::areas_by_rational_splitting(question.pixel, question.faces, question.nearness);
         Json areas = Json::array();
-        for (const CGAL::Gmpq& area : exact.areas) areas.push_back(fraction(area));
-        return {{"areas", std::move(areas)}, {"background", fraction(exact.background)}};
+        for (const mpq_class& area : exact.areas) areas.push_back(area.get_str());
+        return {{"areas", std::move(areas)}, {"background", exact.background.get_str()}};
     } catch (const std::logic_error& mistake) {
         return {{"failure", mistake.what()}};
     }
