@@ -102,26 +102,37 @@ DoubleDouble exact_sum_of_products(DoubleDouble x, DoubleDouble y, DoubleDouble 
     return sum.rounded();
 }
 
-/// Where the line p q meets the border x = k, measured along y from `y_origin`, for points so far away or an
-/// edge so close to the border's direction that double-doubles would not do.
+DoubleDouble scaled(DoubleDouble value, int exponent) {
+    return {std::scalbn(value.hi, exponent), std::scalbn(value.lo, exponent)};
+}
+
+/// Where the line p q, which crosses the border x = k, meets it, measured along y from `y_origin`; for points
+/// so far away or an edge so close to the border's direction that double-doubles would not do.
+///
+/// y + to_border dy / dx with each number brought near 2^400 by a power of two of its own: no product
+/// overflows, and what underflows moves the meeting by less than 2^-400, since the result is kept in [0, 1]
+/// later.
 double far_crossing(double k, double y_origin, Point p, Point q) {
-    const double extent = std::max(std::max(std::abs(p.x - k), std::abs(q.x - k)),
-                                   std::max(std::abs(p.y - y_origin), std::abs(q.y - y_origin)));
-    double unit = 1;
-    if (extent > 0x1p480) {  // keep the products finite; what underflows is below 2^-500
-        unit = 0x1p-540;
-        p = {p.x * unit, p.y * unit};
-        q = {q.x * unit, q.y * unit};
-        k *= unit;
-        y_origin *= unit;
-    }
-    DoubleDouble dx = two_difference(q.x, p.x), to_border = two_difference(k, p.x);
-    const DoubleDouble dy = two_difference(q.y, p.y), y = two_difference(p.y, y_origin);
-    if (std::abs(dx.hi) < 0x1p-400) {  // keep the products above the underflow; the ratio stays
-        dx = {dx.hi * 0x1p600, dx.lo * 0x1p600};
-        to_border = {to_border.hi * 0x1p600, to_border.lo * 0x1p600};
-    }
-    return quotient(exact_sum_of_products(y, dx, to_border, dy), dx) / unit;
+    constexpr int kMiddle = 400;  // of the exponents: products of two stay below 2^1024
+    const auto unit = [](double u, double v) {
+        return std::max(std::abs(u), std::abs(v)) > 0x1p1000 ? 0x1p-4 : 1.0;
+    };
+    const double x_unit = unit(p.x, q.x), y_unit = unit(p.y, q.y);  // so that differences stay finite
+    const DoubleDouble dx = two_difference(q.x * x_unit, p.x * x_unit),
+                       to_border = two_difference(k * x_unit, p.x * x_unit);
+    const DoubleDouble dy = two_difference(q.y * y_unit, p.y * y_unit),
+                       y = two_difference(p.y * y_unit, y_origin * y_unit);
+    const int of_dx = std::ilogb(dx.hi), of_border = to_border.hi == 0 ? of_dx : std::ilogb(to_border.hi);
+    int of_y = kMiddle;
+    if (y.hi != 0) of_y = std::max(of_y, std::ilogb(y.hi));
+    if (dy.hi != 0) of_y = std::max(of_y, std::ilogb(dy.hi) + of_border - of_dx);
+    const int to_middle = kMiddle - of_y;
+    const DoubleDouble run = scaled(dx, kMiddle - of_dx);
+    const double meeting =
+        quotient(exact_sum_of_products(scaled(y, to_middle), run, scaled(to_border, kMiddle - of_border),
+                                       scaled(dy, of_border - of_dx + to_middle)),
+                 run);
+    return std::scalbn(meeting, -to_middle) / y_unit;
 }
 
 /// Where one edge meets the pixel's borders. The same bits for either direction of travel.

@@ -103,3 +103,45 @@ TEST_CASE("clip_to_pixel: a crossing is within 3/4 of a grid step of the exact o
         }
     }
 }
+
+TEST_CASE("clip_to_pixel: crossings of edges whose ends differ by any power of two", "[clip][convex]") {
+    // Found by a fuzzer: the edge's width was lost beside its height, and the crossing was no number.
+    const std::vector<Point> ring = clipped({0, 0}, {{0, 0.5}, {1, -0.125}, {-0x1.05p-758, -0x1.fep+548}});
+    const auto near_one = [](const Ring& points, Point at) {
+        return std::any_of(points.begin(), points.end(), [at](Point p) {
+            return std::abs(p.x - at.x) <= 0x1.8p-54 && std::abs(p.y - at.y) <= 0x1.8p-54;
+        });
+    };
+    CHECK(ring.size() == 3);
+    for (const Point corner : {Point{0, 0}, Point{0.8, 0}, Point{0, 0.5}}) CHECK(near_one(ring, corner));
+
+    test::Dice dice(7);
+    const auto coordinate = [&dice] {
+        const double sign = dice.number(0, 1) == 0 ? -1 : 1;
+        return sign * std::ldexp(dice.between(1, 2),
+                                 dice.number(0, 2) == 0 ? dice.number(-2, 2) : dice.number(-1074, 1022));
+    };
+    long crossings = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Ring triangle{
+            {coordinate(), coordinate()}, {coordinate(), coordinate()}, {coordinate(), coordinate()}};
+        for (const Point c : clipped({0, 0}, triangle)) {
+            const bool upright = c.x == 0 || c.x == 1, level = c.y == 0 || c.y == 1;
+            if (upright == level) continue;    // a corner of the pixel, or of the triangle
+            bool met = near_one(triangle, c);  // a corner may be snapped onto the border
+            for (std::size_t e = 0; e < 3 && !met; ++e) {
+                Point p = triangle[e], q = triangle[(e + 1) % 3], at = c;
+                if (level) std::swap(p.x, p.y), std::swap(q.x, q.y), std::swap(at.x, at.y);
+                if (p.x == q.x || (p.x < at.x) == (q.x < at.x)) continue;
+                const Rational run = Rational(q.x) - Rational(p.x);
+                const Rational y =
+                    Rational(p.y) + (Rational(at.x) - Rational(p.x)) * (Rational(q.y) - Rational(p.y)) / run;
+                met = abs(Rational(y - Rational(at.y))) <= Rational(0x1.8p-54);
+            }
+            INFO(c.x << " " << c.y);
+            REQUIRE(met);
+            ++crossings;
+        }
+    }
+    CHECK(crossings > 1000);
+}

@@ -109,7 +109,8 @@ TEST_CASE("scan: two faces through each other divide the pixel along the line wh
 TEST_CASE("scan: a closed sheet's pixels are divided among its faces, without a gap", "[scan][layer]") {
     const Camera view = camera({40, 40});
     for (const int cells : {3, 17, 60}) {
-        const Geometry scene = geometry(sheet(view, -4, -4, 48, cells, 10, 7));
+        // Its border lies up to 0.3 of a cell further in than it says, and still outside of the picture.
+        const Geometry scene = geometry(sheet(view, -6, -6, 52, cells, 10, 7));
         for (const Shown& pixel : shown(scanned(scene, view), view.size)) {
             double sum = pixel.background;
             for (const auto& [id, weight] : pixel.weights) sum += weight;

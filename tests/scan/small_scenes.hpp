@@ -81,9 +81,11 @@ inline Mesh sheet(const Camera& camera, double x, double y, double side, int cel
     Mesh mesh;
     const double step = side / cells;
     for (int j = 0; j <= cells; ++j)
-        for (int i = 0; i <= cells; ++i)
-            mesh.add_position(at(camera, x + (i + off(random)) * step, y + (j + off(random)) * step,
-                                 depth * (1 + 0.1 * off(random))));
+        for (int i = 0; i <= cells; ++i) {
+            // One after the other: the order in which arguments are computed is the compiler's.
+            const double z = depth * (1 + 0.1 * off(random)), v = y + (j + off(random)) * step;
+            mesh.add_position(at(camera, x + (i + off(random)) * step, v, z));
+        }
     const auto corner = [&](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
     for (int j = 0; j < cells; ++j)
         for (int i = 0; i < cells; ++i) {
