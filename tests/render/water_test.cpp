@@ -234,16 +234,19 @@ TEST_CASE("render_scene: more samples for a smaller error, and nearer to the tru
         double sum = 0;
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 48; ++x) {
-                const auto code = [](Rgb c) {
-                    return 255 * srgb_from_linear(std::min(1.0, static_cast<double>(c.g)));
+                const auto squared = [](float p, float q) {
+                    const auto code = [](float c) {
+                        return 255 * srgb_from_linear(std::min(1.0, double{c}));
+                    };
+                    return std::pow(code(p) - code(q), 2);
                 };
-                sum +=
-                    std::pow(code(picture.image[PixelIndex{x, y}]) - code(truth.image[PixelIndex{x, y}]), 2);
+                const Rgb p = picture.image[PixelIndex{x, y}], q = truth.image[PixelIndex{x, y}];
+                sum += (squared(p.r, q.r) + squared(p.g, q.g) + squared(p.b, q.b)) / 3;
             }
         return std::sqrt(sum / (48 * 32));
     };
-    // The error of the whole picture, with pixels that are not water among them, is below what each may have.
-    CHECK(error_of(fine) < 2);
-    CHECK(error_of(rough) < 8);
+    // What was asked for is a standard error, not a bound; the truth's own is in the difference as well.
+    CHECK(error_of(fine) < 1.2 * 2);
+    CHECK(error_of(rough) < 1.2 * 8);
     CHECK(error_of(fine) < error_of(rough));
 }
