@@ -122,7 +122,7 @@ TEST_CASE("clip_to_pixel: crossings of edges whose ends differ by any power of t
                                  dice.number(0, 2) == 0 ? dice.number(-2, 2) : dice.number(-1074, 1022));
     };
     long crossings = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < 3'000; ++i) {
         const Ring triangle{
             {coordinate(), coordinate()}, {coordinate(), coordinate()}, {coordinate(), coordinate()}};
         for (const Point c : clipped({0, 0}, triangle)) {
@@ -143,5 +143,5 @@ TEST_CASE("clip_to_pixel: crossings of edges whose ends differ by any power of t
             ++crossings;
         }
     }
-    CHECK(crossings > 1000);
+    CHECK(crossings > 100);
 }
