@@ -8,6 +8,7 @@
 
 #include "keikan/water/face_rays.hpp"
 #include "keikan/wave/pixel_sampler.hpp"
+#include "upright_wall.hpp"
 
 using namespace keikan;
 
@@ -89,15 +90,7 @@ TEST_CASE(
     "[water][sky][shadow]") {
     // The top edge of a wall at y = 0, 10 m high; the sun 45 degrees up beyond it: its shadow ends at y = -10
     // on z = 0.
-    Mesh mesh;
-    for (const glm::dvec3 p :
-         {glm::dvec3(-500, 0, -1), glm::dvec3(500, 0, -1), glm::dvec3(500, 0, 10), glm::dvec3(-500, 0, 10)})
-        mesh.add_position(p);
-    const std::uint32_t corners[] = {0, 1, 2, 3};
-    mesh.add_face(corners, 0);
-    Geometry geometry;
-    geometry.objects.push_back({"wall", ObjectKind::Building, mesh});
-    geometry.first_face = {0, 1};
+    const Geometry geometry = test::upright_wall(500, 0, -1, 10);
     Scene scene;
     scene.camera.position = {0, -20, 5};
     scene.light.to_sun = at_elevation(45);

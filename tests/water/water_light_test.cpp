@@ -8,6 +8,7 @@
 
 #include "keikan/water/fresnel.hpp"
 #include "keikan/wave/pixel_sampler.hpp"
+#include "upright_wall.hpp"
 
 using namespace keikan;
 
@@ -29,16 +30,7 @@ Scene empty_scene(Rgb sky) {
 
 /// An upright square wall at y = 20, x and z from -50 to 50, as an object.
 Geometry wall() {
-    Mesh mesh;
-    for (const glm::dvec3 p :
-         {glm::dvec3(-50, 20, -50), glm::dvec3(50, 20, -50), glm::dvec3(50, 20, 50), glm::dvec3(-50, 20, 50)})
-        mesh.add_position(p);
-    const std::uint32_t corners[] = {0, 1, 2, 3};
-    mesh.add_face(corners, 0);
-    Geometry geometry;
-    geometry.objects.push_back({"wall", ObjectKind::Building, mesh});
-    geometry.first_face = {0, 1};
-    return geometry;
+    return test::upright_wall(50, 20, -50, 50);
 }
 
 WaterSurface black_water() {
