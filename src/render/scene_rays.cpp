@@ -127,11 +127,11 @@ Rgb WaterSampler::mean(std::span<const Point> points) {
     const std::uint64_t slope_key = random_key(work.at.x, work.at.y, kSlopeNumbers, work.seed);
     const std::uint64_t sun_key = random_key(work.at.x, work.at.y, kSunNumbers, work.seed);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        work.slopes.push_back(shuffled_sobol(i, slope_key));
+        work.slopes.push_back(scrambled_sobol(i, slope_key));
         work.suns.push_back(shuffled_sobol(i, sun_key));
     }
     work.colours.resize(points.size());
-    colours(points, work.slopes, work.suns, work.colours);
+    colours(points, work.slopes, work.suns, work.colours, SlopeOrder::ByRank);
     double r = 0, g = 0, b = 0;
     for (const Rgb& c : work.colours) {
         r += static_cast<double>(c.r);
@@ -143,7 +143,7 @@ Rgb WaterSampler::mean(std::span<const Point> points) {
 }
 
 void WaterSampler::colours(std::span<const Point> points, std::span<const Point> slopes,
-                           std::span<const Point> suns, std::span<Rgb> colours) {
+                           std::span<const Point> suns, std::span<Rgb> colours, SlopeOrder order) {
     KEIKAN_CHECK(
         points.size() == slopes.size() && points.size() == suns.size() && points.size() == colours.size(),
         "points, slopes, suns and colours must be as many");
@@ -156,7 +156,7 @@ void WaterSampler::colours(std::span<const Point> points, std::span<const Point>
         ray.direction = glm::normalize(ray.direction);
         work.looks[i] = {ray, {slopes[i].x, slopes[i].y}, {suns[i].x, suns[i].y}};
     }
-    work.view.light.along(*work.water, work.resolved, work.looks, work.samples, work.memory);
+    work.view.light.along(*work.water, work.resolved, work.looks, work.samples, work.memory, order);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const WaterSample& sample = work.samples[i];
         colours[i] = sample.colour;
@@ -170,6 +170,14 @@ void WaterSampler::colours(std::span<const Point> points, std::span<const Point>
 
 int WaterSampler::paper_first_count(const PaperSampleCounts& counts) const {
     return keikan::paper_first_count(working_->water->waves, working_->footprint, counts);
+}
+
+std::span<const FaceRay> WaterSampler::first_hit_rays() const {
+    return working_->memory.face_rays;
+}
+
+std::span<const FaceRay> WaterSampler::sun_rays() const {
+    return working_->memory.light_rays;
 }
 
 const WaterStatistics& WaterSampler::statistics() const {

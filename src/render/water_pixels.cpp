@@ -79,8 +79,13 @@ class Painter {
         region_.set_whole();
         sampler_.look_at(at_, pixel.water);
         SampleSums sums;
-        take_sobol(0, SobolGain::kBlock * SobolGain::kBlocks, sums);
-        return SobolGain::note(at_, colours_);
+        std::vector<Rgb> all;
+        // Block by block: slopes are paired within one call.
+        for (std::size_t block = 0; block < SobolGain::kBlocks; ++block) {
+            take_sobol(block * SobolGain::kBlock, (block + 1) * SobolGain::kBlock, sums);
+            all.insert(all.end(), colours_.begin(), colours_.end());
+        }
+        return SobolGain::note(at_, all);
     }
 
     /// Adds the water of one pixel's points, each by its weight.
@@ -221,10 +226,10 @@ class Painter {
     }
 
     /// Takes the samples whose places in the unit square are in positions_, slopes_ and suns_.
-    void take(SampleSums& sums, SampleSums* codes = nullptr) {
+    void take(SampleSums& sums, SlopeOrder order, SampleSums* codes = nullptr) {
         for (Point& position : positions_) position = region_.at(position);
         colours_.resize(positions_.size());
-        sampler_.colours(positions_, slopes_, suns_, colours_);
+        sampler_.colours(positions_, slopes_, suns_, colours_, order);
         for (const Rgb c : colours_) {
             sums.add(c);
             if (codes != nullptr)
@@ -240,10 +245,10 @@ class Painter {
         clear_points();
         for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
             positions_.push_back(scrambled_sobol(i, position));
-            slopes_.push_back(shuffled_sobol(i, slope));
+            slopes_.push_back(scrambled_sobol(i, slope));
             suns_.push_back(shuffled_sobol(i, sun));
         }
-        take(sums);
+        take(sums, SlopeOrder::ByRank);
     }
 
     /// Takes samples until their standard error is small enough.
@@ -267,11 +272,11 @@ class Painter {
         const std::uint64_t sun = key(second ? kSecondSunNumbers : kSunNumbers);
         CounterRandom random_slope(slope), random_sun(sun);
         for (std::uint32_t i = 0; i < positions_.size(); ++i) {
-            slopes_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, slope)
+            slopes_.push_back(sampler == Sampler::Sobol ? scrambled_sobol(i, slope)
                                                         : random_point(random_slope));
             suns_.push_back(sampler == Sampler::Sobol ? shuffled_sobol(i, sun) : random_point(random_sun));
         }
-        take(sums, codes);
+        take(sums, sampler == Sampler::Sobol ? SlopeOrder::ByRank : SlopeOrder::AsGiven, codes);
     }
 
     /// Paper 4.2 to 4.4.

@@ -60,12 +60,14 @@ WaterLight::Memory::Memory() = default;
 WaterLight::Memory::~Memory() = default;
 
 void WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved,
-                       std::span<const WaterLook> looks, std::span<WaterSample> samples,
-                       Memory& memory) const {
+                       std::span<const WaterLook> looks, std::span<WaterSample> samples, Memory& memory,
+                       SlopeOrder order) const {
     KEIKAN_CHECK(looks.size() == samples.size(), looks.size() << " looks, " << samples.size() << " samples");
     memory.ways.assign(looks.size(), Way{});
     meet_waves(water, resolved, looks, memory);
-    for (std::size_t i = 0; i < looks.size(); ++i) reflect(water, resolved, looks[i], memory.ways[i]);
+    rank(memory, order);
+    for (std::size_t k = 0; k < looks.size(); ++k)
+        reflect(water, resolved, looks[k].slope, memory.ways[memory.ranks[k].second]);
     mirror_between_waves(resolved, memory);
     look_for_faces(memory);
     look_for_sun(looks, memory);
@@ -130,10 +132,21 @@ void WaterLight::meet_waves(const WaterSurface& water, const ResolvedWater& reso
     }
 }
 
-void WaterLight::reflect(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look,
+void WaterLight::rank(Memory& memory, SlopeOrder order) {
+    memory.ranks.clear();
+    for (std::uint32_t i = 0; i < memory.ways.size(); ++i) {
+        // A mirror turns by twice what its normal leans towards the viewer.
+        const Way& way = memory.ways[i];
+        const glm::dvec3& v = way.towards_viewer;
+        memory.ranks.push_back({way.slope.x * v.x + way.slope.y * v.y - v.z / 2, i});
+    }
+    if (order == SlopeOrder::ByRank) std::sort(memory.ranks.begin(), memory.ranks.end());
+}
+
+void WaterLight::reflect(const WaterSurface& water, const ResolvedWater& resolved, Choice slope,
                          Way& way) const {
     const SeenSlopes slopes(resolved.unresolved, way.slope, way.towards_viewer);
-    const glm::dvec3 normal = normal_of(slopes.at(look.slope.u1, look.slope.u2));
+    const glm::dvec3 normal = normal_of(slopes.at(slope.u1, slope.u2));
     const double cosine = std::clamp(glm::dot(normal, way.towards_viewer), 0.0, 1.0);
     way.reflectance = fresnel_reflectance(cosine);
     way.direction = mirror(way.towards_viewer, normal);
@@ -200,9 +213,9 @@ void WaterLight::look_for_faces(Memory& memory) const {
 }
 
 void WaterLight::look_for_sun(std::span<const WaterLook> looks, Memory& memory) const {
+    memory.light_rays.clear();
     if (!(scene_.light.to_sun.z > 0)) return;
     const bool shadows = scene_.light.shadows;
-    memory.light_rays.clear();
     const auto add = [&](const FaceRay& ray) {
         memory.light_rays.push_back(ray);
         return static_cast<std::uint32_t>(memory.light_rays.size() - 1);

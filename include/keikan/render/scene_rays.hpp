@@ -39,6 +39,8 @@ class SceneRays {
     std::unique_ptr<Light> light_;
 };
 
+struct FaceRay;
+
 /// The colours of water at points of pixels, one pixel after the other. One for each thread.
 ///
 ///   WaterSampler sampler(rays);
@@ -46,7 +48,8 @@ class SceneRays {
 ///   const Rgb seen = sampler.mean(pattern);         // exactly pattern.size() samples
 ///
 /// Properties:
-///   (1) A colour follows from scene, geometry, pixel, water, point, its slope and seed alone, bit for bit.
+///   (1) A colour follows from scene, geometry, pixel, water, point, its slope and seed alone, bit for bit
+///       (SlopeOrder::ByRank: from those of the whole call).
 ///   (2) The mean over points that are uniform in a region, with slopes that are uniform in the unit square,
 ///   is an
 ///       unbiased estimate of that region's colour.
@@ -69,8 +72,14 @@ class WaterSampler {
 
     /// The colour at each point, with slopes for uniform points of the unit square of one's own. All of equal
     /// size. Sun: from which point of its disc it shines, where faces have shadows.
+    /// SlopeOrder::ByRank: of Sobol's points, in their order.
     void colours(std::span<const Point> points, std::span<const Point> slopes, std::span<const Point> suns,
-                 std::span<Rgb> colours);
+                 std::span<Rgb> colours, SlopeOrder order = SlopeOrder::AsGiven);
+
+    /// The rays that the last call of colours() sent to look for the first face, and to ask whether the sun
+    /// is hidden: for measurements.
+    std::span<const FaceRay> first_hit_rays() const;
+    std::span<const FaceRay> sun_rays() const;
 
     /// Eq. (1) of the paper for this pixel.
     int paper_first_count(const PaperSampleCounts& counts) const;

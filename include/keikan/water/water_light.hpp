@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "keikan/scene/sky.hpp"
 #include "keikan/scene/water.hpp"
 #include "keikan/water/face_rays.hpp"
 #include "keikan/water/slopes.hpp"
+#include "keikan/wave/pixel_sampler.hpp"
 #include "keikan/wave/trace_wave.hpp"
 #include "keikan/wave/water_footprint.hpp"
 
@@ -76,8 +78,9 @@ struct WaterSample {
 /// sun's disc that the sample chose, if no face is before it; otherwise faces hide the sun from the glitter
 /// alone.
 ///
-/// Property: (1) samples[i] is a function of water, resolved and looks[i] alone, the same bits however many
-///               looks there are and on any processor.
+/// Property: (1) With SlopeOrder::AsGiven, samples[i] is a function of water, resolved and looks[i] alone,
+/// the
+///               same bits however many looks there are and on any processor; ByRank, of all looks.
 /// Paper:    section 4.1.
 class WaterLight {
   public:
@@ -93,6 +96,7 @@ class WaterLight {
         std::vector<FaceRay> face_rays, light_rays;
         std::vector<std::optional<FaceHit>> hits;
         std::vector<std::uint8_t> hidden;
+        std::vector<std::pair<double, std::uint32_t>> ranks;
     };
 
     /// Requires: `scene` and `faces` outlive it.
@@ -101,7 +105,7 @@ class WaterLight {
 
     /// Requires: unit directions; looks and samples of equal size.
     void along(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
-               std::span<WaterSample> samples, Memory& memory) const;
+               std::span<WaterSample> samples, Memory& memory, SlopeOrder order = SlopeOrder::AsGiven) const;
     /// One alone.
     WaterSample along(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look) const;
 
@@ -113,8 +117,8 @@ class WaterLight {
   private:
     void meet_waves(const WaterSurface& water, const ResolvedWater& resolved,
                     std::span<const WaterLook> looks, Memory& memory) const;
-    void reflect(const WaterSurface& water, const ResolvedWater& resolved, const WaterLook& look,
-                 Way& way) const;
+    static void rank(Memory& memory, SlopeOrder order);
+    void reflect(const WaterSurface& water, const ResolvedWater& resolved, Choice slope, Way& way) const;
     void mirror_between_waves(const ResolvedWater& resolved, Memory& memory) const;
     void look_for_faces(Memory& memory) const;
     void look_for_sun(std::span<const WaterLook> looks, Memory& memory) const;

@@ -20,6 +20,17 @@ enum class Sampler {
     Sobol,     ///< the first N points of Sobol's sequence, Owen-scrambled
 };
 
+/// How points that were drawn for the water's slopes are paired with places in the pixel.
+enum class SlopeOrder {
+    AsGiven,  ///< slope i with place i
+    /// The slopes, in their order, with the places in the order of the elevations that the waves there mirror
+    /// the view to. Where the slopes' first coordinates are well spread over every run of them (Sobol's
+    /// points, in their order), waves and slopes together are as well spread as two dimensions of one net:
+    /// what is seen depends on their sum. Each place still has a uniform slope, so that the mean's
+    /// expectation is the same (array-RQMC: L'Ecuyer, Lecot, Tuffin 2008).
+    ByRank,
+};
+
 /// Names on the command line: random, paper, haber, jittered, sobol.
 /// Errors: InputError (reason only).
 Sampler sampler_of(const std::string& name);
