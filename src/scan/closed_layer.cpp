@@ -41,6 +41,31 @@ bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double lef
 
 }  // namespace
 
+bool ClosedLayer::begin(PixelIndex pixel, const std::vector<FaceFacts>& facts,
+                        std::span<const Candidate> candidates) {
+    search_ = 0;
+    progress_.assign(candidates.size(), Progress{});
+    const double left = pixel.x, top = pixel.y, right = left + 1, bottom = top + 1;
+    unsigned met = 0;  // bit k: the corner k, or the middle, lies in the bounding box of some candidate
+    for (const Candidate& c : candidates) {
+        const FaceFacts& f = facts[c.face];
+        const bool to_left = f.left <= left, to_right = f.right >= right;
+        const bool to_top = f.top <= top, to_bottom = f.bottom >= bottom;
+        const bool middle = f.left <= left + 0.5 && f.right >= left + 0.5 && f.top <= top + 0.5 &&
+                            f.bottom >= top + 0.5;
+        met |= unsigned{to_left && to_top} | unsigned{to_right && to_top} << 1 |
+               unsigned{to_right && to_bottom} << 2 | unsigned{to_left && to_bottom} << 3 |
+               unsigned{middle} << 4;
+    }
+    return met == 31;
+}
+
+void ClosedLayer::add_member(std::size_t candidate) {
+    progress_[candidate] = {};
+    progress_[candidate].search = search_;
+    members_.push_back(static_cast<std::uint32_t>(candidate));
+}
+
 /// Collects what is connected with `start` through shared edges, and sums up the moments of each face, edge
 /// by edge; an edge inside the layer is worked out once for both of its faces. An edge needs no neighbour
 /// when it cannot meet the pixel's interior: the pixel lies wholly on its inner side, or the edge's box
@@ -49,9 +74,9 @@ bool nearer_over_box(const DepthPlane& front, const DepthPlane& back, double lef
 bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
                        const FaceNeighbours& neighbours, std::span<const Candidate> candidates,
                        std::size_t start) {
-    members_.assign(1, static_cast<std::uint32_t>(start));
-    progress_.assign(candidates.size(), Progress{});
-    progress_[start].is_member = true;
+    ++search_;
+    members_.clear();
+    add_member(start);
     bool closed = true;
     for (std::size_t m = 0; m < members_.size(); ++m) {
         const Candidate& member = candidates[members_[m]];
@@ -84,10 +109,7 @@ bool ClosedLayer::grow(PixelIndex pixel, const ProjectedFaces& faces, const std:
                 closed = false;
                 continue;
             }
-            if (!progress_[next].is_member) {
-                progress_[next].is_member = true;
-                members_.push_back(static_cast<std::uint32_t>(next));
-            }
+            if (!has_reached(next)) add_member(next);
             if (!closed) continue;
             const Moments moments = edge_moments(p, q, pixel);
             mine.moments += moments;

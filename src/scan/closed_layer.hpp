@@ -21,6 +21,10 @@ namespace keikan {
 /// told from the next whole number.
 class ClosedLayer {
   public:
+    /// A new pixel. False if no layer can tile it: at one of its corners, or at its middle, no candidate's
+    /// bounding box is. Then there is nothing to look for.
+    bool begin(PixelIndex pixel, const std::vector<FaceFacts>& facts, std::span<const Candidate> candidates);
+
     /// Looks for a closed set that holds `candidates[start]` and tiles the pixel. Faces that meet the pixel
     /// and are no candidates may be missing: a set that needs them is not closed.
     bool find(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
@@ -36,23 +40,25 @@ class ClosedLayer {
 
     /// Candidates that the last search has reached, whether it found a layer or not.
     std::span<const std::uint32_t> reached() const { return members_; }
-    bool has_reached(std::size_t candidate) const { return progress_[candidate].is_member; }
+    bool has_reached(std::size_t candidate) const { return progress_[candidate].search == search_; }
 
   private:
     /// How far the search has come with a candidate.
     struct Progress {
-        Moments moments;         ///< of the edges so far, in the direction of its outline
-        std::uint8_t given = 0;  ///< bit e: edge e is in `moments`, from the neighbour's side
-        bool is_member = false;
+        Moments moments;           ///< of the edges so far, in the direction of its outline
+        std::uint32_t search = 0;  ///< the last one of the pixel that reached it, counted from 1
+        std::uint8_t given = 0;    ///< bit e: edge e is in `moments`, from the neighbour's side
         bool is_done = false;
     };
     static_assert(FaceFacts::kMostEdges <= 8, "one bit of `given` for each edge");
 
+    void add_member(std::size_t candidate);
     bool grow(PixelIndex pixel, const ProjectedFaces& faces, const std::vector<FaceFacts>& facts,
               const FaceNeighbours& neighbours, std::span<const Candidate> candidates, std::size_t start);
 
     std::vector<std::uint32_t> members_;
     std::vector<Progress> progress_;
+    std::uint32_t search_ = 0;
     std::vector<SeenPart> parts_;
     double w_min_ = 0;
 };

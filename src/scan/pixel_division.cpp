@@ -45,13 +45,17 @@ DividedView PixelDivision::by_exact_areas(PixelIndex pixel, std::span<const Cand
     // areas are the answer; otherwise it has shortened the question. Layers are looked for from the nearest
     // face on, among those that no search has reached and no layer hides.
     fate_.assign(candidates.size(), Fate::Open);
-    for (;;) {
-        std::size_t start = candidates.size();
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-            if (fate_[i] == Fate::Open &&
-                (start == candidates.size() || candidates[i].w_max > candidates[start].w_max))
-                start = i;
-        if (start == candidates.size()) break;
+    nearest_first_.clear();
+    if (layer_.begin(pixel, question_.facts, candidates)) {
+        nearest_first_.resize(candidates.size());
+        std::iota(nearest_first_.begin(), nearest_first_.end(), 0u);
+        std::sort(nearest_first_.begin(), nearest_first_.end(), [&](std::uint32_t i, std::uint32_t j) {
+            return candidates[i].w_max != candidates[j].w_max ? candidates[i].w_max > candidates[j].w_max
+                                                              : i < j;
+        });
+    }
+    for (const std::uint32_t start : nearest_first_) {
+        if (fate_[start] != Fate::Open) continue;
         const bool found =
             layer_.find(pixel, question_.faces, question_.facts, question_.neighbours, candidates, start);
         for (const std::uint32_t i : layer_.reached())

@@ -53,6 +53,7 @@ class PixelDivision {
 
     ClosedLayer layer_;
     std::vector<Fate> fate_;
+    std::vector<std::uint32_t> nearest_first_;
     std::vector<std::uint32_t> kept_;  ///< candidates that are not hidden
     FacesApart apart_;
     VisibleAreas visible_areas_;
