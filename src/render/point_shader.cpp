@@ -62,7 +62,6 @@ FaceShader::FaceShader(const PointShader& shader, const SeenFace& face)
     : all_(shader),
       face_(face),
       material_(shader.scene_.materials[face.material]),
-      steep_(material_.ramp ? material_.ramp->steep_share(face.flat_normal[2]) : 0),
       bends_(face.normal[1] != std::array<float, 3>{} || face.normal[2] != std::array<float, 3>{}),
       normal_(bends_ ? glm::vec3(0) : unit_or_flat(vector_of(face.normal[0]), face)) {}
 
@@ -74,12 +73,13 @@ glm::vec3 FaceShader::unit_normal(double x, double y) const {
         face_);
 }
 
-Rgb FaceShader::albedo(double x, double y, double depth_m, const glm::vec3& towards) const {
+Rgb FaceShader::albedo(double x, double y, double depth_m, const glm::vec3& towards, float normal_z) const {
     if (!material_.ramp) return material_.colour;
     const HeightSlopeRamp& ramp = *material_.ramp;
-    if (steep_ >= 1) return ramp.steep;
+    const float steep = ramp.steep_share(normal_z);
+    if (steep >= 1) return ramp.steep;
     const Rgb by_height = ramp.colour_at(static_cast<float>(all_.height_m(x, y, depth_m, towards)));
-    return steep_ > 0 ? mixed(by_height, ramp.steep, steep_) : by_height;
+    return steep > 0 ? mixed(by_height, ramp.steep, steep) : by_height;
 }
 
 Rgb FaceShader::colour(double x, double y, float sun_share) const {
@@ -88,7 +88,7 @@ Rgb FaceShader::colour(double x, double y, float sun_share) const {
     const glm::vec3 n = unit_normal(x, y);
     const glm::vec3 towards = all_.ray(x, y);
     const float ray_length = std::sqrt(glm::dot(towards, towards));
-    const Rgb own = albedo(x, y, depth_m, towards);
+    const Rgb own = albedo(x, y, depth_m, towards, n.z);
 
     const Rgb ambient = light.ground_ambient + (0.5f + 0.5f * n.z) * all_.sky_over_ground_;
     const float facing = glm::dot(n, all_.to_sun_);

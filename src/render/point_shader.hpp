@@ -64,12 +64,11 @@ class FaceShader {
 
   private:
     glm::vec3 unit_normal(double x, double y) const;
-    Rgb albedo(double x, double y, double depth_m, const glm::vec3& towards) const;
+    Rgb albedo(double x, double y, double depth_m, const glm::vec3& towards, float normal_z) const;
 
     const PointShader& all_;
     const SeenFace& face_;
     const Material& material_;
-    float steep_ = 0;   ///< share of the ramp's `steep`
     bool bends_;        ///< the normal changes over the face
     glm::vec3 normal_;  ///< where it does not
 };

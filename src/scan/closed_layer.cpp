@@ -51,8 +51,8 @@ bool ClosedLayer::begin(PixelIndex pixel, const std::vector<FaceFacts>& facts,
         const FaceFacts& f = facts[c.face];
         const bool to_left = f.left <= left, to_right = f.right >= right;
         const bool to_top = f.top <= top, to_bottom = f.bottom >= bottom;
-        const bool middle = f.left <= left + 0.5 && f.right >= left + 0.5 && f.top <= top + 0.5 &&
-                            f.bottom >= top + 0.5;
+        const bool middle =
+            f.left <= left + 0.5 && f.right >= left + 0.5 && f.top <= top + 0.5 && f.bottom >= top + 0.5;
         met |= unsigned{to_left && to_top} | unsigned{to_right && to_top} << 1 |
                unsigned{to_right && to_bottom} << 2 | unsigned{to_left && to_bottom} << 3 |
                unsigned{middle} << 4;

@@ -195,7 +195,7 @@ Rgb FaceRays::albedo(const FaceHit& hit, const glm::dvec3& point) const {
     const Material& material = scene_.materials[hit.material];
     if (!material.ramp) return material.colour;
     return mixed(material.ramp->colour_at(static_cast<float>(point.z)), material.ramp->steep,
-                 material.ramp->steep_share(static_cast<float>(hit.flat_normal.z)));
+                 material.ramp->steep_share(static_cast<float>(hit.normal.z)));
 }
 
 Rgb FaceRays::colour(const FaceHit& hit, const glm::dvec3& point, const glm::dvec3& direction,

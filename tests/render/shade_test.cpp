@@ -150,7 +150,7 @@ TEST_CASE("shade_band: a face seen edge-on is far away, and its colour still a n
     }
 }
 
-TEST_CASE("shade_band: a ramp colours by the height of the point and the slope of the plane",
+TEST_CASE("shade_band: a ramp colours by the height of the point and the slope of the normal there",
           "[render][ramp]") {
     Scene scene = example_scene();
     scene.light.sun = {0, 0, 0};
@@ -162,18 +162,24 @@ TEST_CASE("shade_band: a ramp colours by the height of the point and the slope o
     ramp.steep_full_deg = 50;
     scene.materials[0].ramp = ramp;
     SeenFace face = wall();
-    face.flat_normal = {0, 0, 1};
+    face.normal[0] = {0, 0, 1};
     const PixelIndex up{4, 1};  // 10 m ahead it is 7.5 m high
     check_colour(colour_of(band_of(face, up), scene, up), 0, 0.625, 0);
     check_colour(colour_of(band_of(face, kAhead), scene, kAhead), 0, 0, 0);
     const auto tilted = [&](double degrees) {
         const double angle = degrees * std::numbers::pi / 180;
-        face.flat_normal = {0, static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle))};
+        face.normal[0] = {0, static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle))};
         return colour_of(band_of(face, up), scene, up);
     };
     check_colour(tilted(34), 0, 0.625, 0);
     check_colour(tilted(42.5), 0.5, 0.3125, 0.5);
     check_colour(tilted(51), 1, 0, 1);
+
+    // A normal that bends over the face: level where it is anchored, at 45 degrees a pixel further right.
+    face.normal = {{{0, 0, 1}, {0, -1, 0}, {0, 0, 0}}};
+    face.normal_at = {up.x - 0.5, up.y + 0.5};
+    const double steep = 10.0 / 15;  // of the way from 35 to 50 degrees
+    check_colour(colour_of(band_of(face, up), scene, up), steep, (1 - steep) * 0.625, steep);
 }
 
 TEST_CASE("shade_band: a ramp sees the same height under an orthographic camera", "[render][ramp]") {
@@ -186,7 +192,7 @@ TEST_CASE("shade_band: a ramp sees the same height under an orthographic camera"
     scene.materials[0].ramp = ramp;
     SeenFace face = wall();
     face.plane = {0, 0, -10};
-    face.flat_normal = {0, 0, 1};
+    face.normal[0] = {0, 0, 1};
     const PixelIndex up{4, 1};  // 4 pixels are a metre
     check_colour(colour_of(band_of(face, up), scene, up), 0.75, 0.75, 0.75);
 }
@@ -246,7 +252,7 @@ TEST_CASE("shade_band: each part is shaded at its own centroid", "[render][divid
     ramp.stops = {{0, {0, 0, 0}}, {10, {1, 1, 1}}};
     scene.materials[0].ramp = ramp;
     SeenFace face = wall();
-    face.flat_normal = {0, 0, 1};
+    face.normal[0] = {0, 0, 1};
     const PixelIndex up{4, 1};
     ScanBand band = band_of(face, up);
     band.spans.clear();

@@ -30,8 +30,9 @@ struct ExtraImages {
 ///             (no specular term where n.l <= 0)
 ///   colour  = phong + (1 - exp(-d / range_m)) (haze.colour - phong)
 /// The albedo of a material with a ramp follows the height of the point, and blends to `steep` linearly in
-/// the slope angle of the face's plane. The background's colour goes from `horizon` (at and below the
-/// horizon) to `zenith` linearly in the sine of the view direction's elevation.
+/// the slope angle that n has there: without steps between faces whose vertex normals agree. The background's
+/// colour goes from `horizon` (at and below the horizon) to `zenith` linearly in the sine of the view
+/// direction's elevation.
 ///
 /// With `rays`, where Light::shadows is set, `sun` is that share of it that is seen past other faces
 /// (SceneRays::sun_share): from 4 points of the face, spread over the pixel (over a square of the size of a
