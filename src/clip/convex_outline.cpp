@@ -5,16 +5,12 @@
 #include <bit>
 #include <cmath>
 
-#include "double_double.hpp"
-#include "expansion.hpp"
+#include "edge_crossings.hpp"
 #include "keikan/clip/orient2d.hpp"
+#include "pixel_borders.hpp"
 
 namespace keikan::clip {
 namespace {
-
-bool before(Point a, Point b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
 
 /// orient2d for points that mostly do not line up: the filter is tried on the spot.
 Sign turn(Point a, Point b, Point c) {
@@ -27,37 +23,12 @@ Sign turn(Point a, Point b, Point c) {
     return orient2d(a, b, c);
 }
 
-// Sets of four, as in EdgeView.
-using Set = unsigned;
-constexpr Set kAll = 15;
-constexpr Set bit(bool member, unsigned k) {
-    return static_cast<Set>(member) << k;
-}
-/// Bit k of the result: bit k + 1 of `set`, around the pixel.
-constexpr Set next(Set set) {
-    return (set >> 1 | set << 3) & kAll;
-}
-
-/// The pixel's four border lines in image coordinates, as doubles without error.
-struct Borders {
-    double left, right, low, high;
-    explicit Borders(PixelIndex pixel) : left(pixel.x), right(left + 1), low(pixel.y), high(low + 1) {}
-
-    Set beyond(Point p) const {
-        return bit(p.y < low, 0) | bit(p.x > right, 1) | bit(p.y > high, 2) | bit(p.x < left, 3);
-    }
-    Set on_or_beyond(Point p) const {
-        return bit(p.y <= low, 0) | bit(p.x >= right, 1) | bit(p.y >= high, 2) | bit(p.x <= left, 3);
-    }
-    Point corner(unsigned k) const { return {k == 1 || k == 2 ? right : left, k >= 2 ? high : low}; }
-};
-
 struct CornerSides {
-    Set inside = 0, outside = 0;
+    FourSet inside = 0, outside = 0;
 };
 
 /// The exact sides of the pixel's corners, seen from the edge p q.
-CornerSides corner_sides(const Borders& pixel, Point p, Point q) {
+CornerSides corner_sides(const PixelBorders& pixel, Point p, Point q) {
     const double dx = q.x - p.x, dy = q.y - p.y;
     const double low = dx * (pixel.low - p.y), high = dx * (pixel.high - p.y);
     const double left = dy * (pixel.left - p.x), right = dy * (pixel.right - p.x);
@@ -69,133 +40,18 @@ CornerSides corner_sides(const Borders& pixel, Point p, Point q) {
     const double side[4] = {low - left, low - right, high - right, high - left};
     CornerSides sides;
     for (unsigned k = 0; k < 4; ++k) {
-        sides.inside |= bit(side[k] > error, k);
-        sides.outside |= bit(side[k] < -error, k);
+        sides.inside |= bit_if(side[k] > error, k);
+        sides.outside |= bit_if(side[k] < -error, k);
     }
-    Set open = kAll & ~(sides.inside | sides.outside);
+    FourSet open = kAllFour & ~(sides.inside | sides.outside);
     for (; open != 0; open &= open - 1) {  // too close to call, or not finite
         const unsigned k = static_cast<unsigned>(std::countr_zero(open));
         const Sign sign = orient2d(p, q, pixel.corner(k));
-        sides.inside |= bit(sign == Sign::Positive, k);
-        sides.outside |= bit(sign == Sign::Negative, k);
+        sides.inside |= bit_if(sign == Sign::Positive, k);
+        sides.outside |= bit_if(sign == Sign::Negative, k);
     }
     return sides;
 }
-
-/// x y + z w, with an error below 2^-102 (|x y| + |z w|).
-DoubleDouble sum_of_products(DoubleDouble x, DoubleDouble y, DoubleDouble z, DoubleDouble w) {
-    const DoubleDouble xy = two_product(x.hi, y.hi), zw = two_product(z.hi, w.hi);
-    const DoubleDouble sum = two_sum(xy.hi, zw.hi);
-    const double low = (xy.lo + (x.hi * y.lo + x.lo * y.hi)) + (zw.lo + (z.hi * w.lo + z.lo * w.hi));
-    return quick_two_sum(sum.hi, sum.lo + low);
-}
-
-/// The same, rounded only at the end.
-DoubleDouble exact_sum_of_products(DoubleDouble x, DoubleDouble y, DoubleDouble z, DoubleDouble w) {
-    Expansion<16> sum;
-    const auto add = [&sum](DoubleDouble a, DoubleDouble b) {
-        for (const double s : {a.lo, a.hi})
-            for (const double t : {b.lo, b.hi}) sum.add(two_product(s, t));
-    };
-    add(x, y);
-    add(z, w);
-    return sum.rounded();
-}
-
-DoubleDouble scaled(DoubleDouble value, int exponent) {
-    return {std::scalbn(value.hi, exponent), std::scalbn(value.lo, exponent)};
-}
-
-/// Where the line p q, which crosses the border x = k, meets it, measured along y from `y_origin`; for points
-/// so far away or an edge so close to the border's direction that double-doubles would not do.
-///
-/// y + to_border dy / dx with each number brought near 2^400 by a power of two of its own: no product
-/// overflows, and what underflows moves the meeting by less than 2^-400, since the result is kept in [0, 1]
-/// later.
-double far_crossing(double k, double y_origin, Point p, Point q) {
-    constexpr int kMiddle = 400;  // of the exponents: products of two stay below 2^1024
-    const auto unit = [](double u, double v) {
-        return std::max(std::abs(u), std::abs(v)) > 0x1p1000 ? 0x1p-4 : 1.0;
-    };
-    const double x_unit = unit(p.x, q.x), y_unit = unit(p.y, q.y);  // so that differences stay finite
-    const DoubleDouble dx = two_difference(q.x * x_unit, p.x * x_unit),
-                       to_border = two_difference(k * x_unit, p.x * x_unit);
-    const DoubleDouble dy = two_difference(q.y * y_unit, p.y * y_unit),
-                       y = two_difference(p.y * y_unit, y_origin * y_unit);
-    const int of_dx = std::ilogb(dx.hi), of_border = to_border.hi == 0 ? of_dx : std::ilogb(to_border.hi);
-    int of_y = kMiddle;
-    if (y.hi != 0) of_y = std::max(of_y, std::ilogb(y.hi));
-    if (dy.hi != 0) of_y = std::max(of_y, std::ilogb(dy.hi) + of_border - of_dx);
-    const int to_middle = kMiddle - of_y;
-    const DoubleDouble run = scaled(dx, kMiddle - of_dx);
-    const double meeting =
-        quotient(exact_sum_of_products(scaled(y, to_middle), run, scaled(to_border, kMiddle - of_border),
-                                       scaled(dy, of_border - of_dx + to_middle)),
-                 run);
-    return std::scalbn(meeting, -to_middle) / y_unit;
-}
-
-/// Where one edge meets the pixel's borders. The same bits for either direction of travel.
-class EdgeCrossings {
-  public:
-    EdgeCrossings(const Borders& pixel, Point p, Point q)
-        : pixel_(pixel), p_(before(q, p) ? q : p), q_(before(q, p) ? p : q) {
-        dx_ = two_difference(q_.x, p_.x);
-        dy_ = two_difference(q_.y, p_.y);
-        const DoubleDouble x = two_difference(p_.x, pixel.left), y = two_difference(p_.y, pixel.low);
-        const auto tiny = [](double d) { return d != 0 && std::abs(d) < 0x1p-400; };
-        const double extent = std::abs(x.hi) + std::abs(y.hi) + std::abs(dx_.hi) + std::abs(dy_.hi);
-        far_ = !(extent < 0x1p40) || tiny(dx_.hi) || tiny(dy_.hi);
-        if (!far_) offset_ = sum_of_products(x, dy_, -y, dx_);
-    }
-
-    Point at(unsigned border) const {
-        if (far_) [[unlikely]]
-            return far_at(border);
-        // The line is offset - u dy + v dx = 0; on a border all but one term is known. An error of the
-        // offset moves the point across the line by at most 2^-101 * extent < 2^-61, however the edge
-        // lies (docs/numerics.md, section 2).
-        switch (border) {
-            case 0:
-                return {along(offset_, dy_), 0};
-            case 1:
-                return {1, along(nearly_sum(dy_, -offset_), dx_)};
-            case 2:
-                return {along(nearly_sum(offset_, dx_), dy_), 1};
-            default:
-                return {0, along(-offset_, dx_)};
-        }
-    }
-
-  private:
-    /// x + y with an error below 2^-104 (|x| + |y|).
-    static DoubleDouble nearly_sum(DoubleDouble x, DoubleDouble y) {
-        const DoubleDouble sum = two_sum(x.hi, y.hi);
-        return quick_two_sum(sum.hi, sum.lo + (x.lo + y.lo));
-    }
-    static double along(DoubleDouble numerator, DoubleDouble denominator) {
-        return snap(std::clamp(quotient(numerator, denominator), 0.0, 1.0));
-    }
-    Point far_at(unsigned border) const {
-        const Point p{p_.y, p_.x}, q{q_.y, q_.x};  // for the borders y = k
-        const auto within = [](double v) { return snap(std::clamp(v, 0.0, 1.0)); };
-        switch (border) {
-            case 0:
-                return {within(far_crossing(pixel_.low, pixel_.left, p, q)), 0};
-            case 1:
-                return {1, within(far_crossing(pixel_.right, pixel_.low, p_, q_))};
-            case 2:
-                return {within(far_crossing(pixel_.high, pixel_.left, p, q)), 1};
-            default:
-                return {0, within(far_crossing(pixel_.left, pixel_.low, p_, q_))};
-        }
-    }
-
-    const Borders& pixel_;
-    Point p_, q_;
-    DoubleDouble dx_, dy_, offset_;
-    bool far_ = false;
-};
 
 /// A place on the pixel's border, as the way from (0, 0) around it: corner k is at k.
 double way_around(Point p) {
@@ -211,17 +67,18 @@ constexpr Point kCorner[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 /// those corners that are inside the outline.
 class BorderWalk {
   public:
-    BorderWalk(const Borders& pixel, Set corners_inside, Point* ring)
+    BorderWalk(const PixelBorders& pixel, FourSet corners_inside, Point* ring)
         : pixel_(pixel), corners_inside_(corners_inside), begin_(ring), end_(ring) {}
 
-    void follow(Point p, Point q, EdgeView at_p, Set beyond_q) {
-        const Set beyond_p = at_p.beyond;
+    void follow(Point p, Point q, EdgeView at_p, FourSet beyond_q) {
+        const FourSet beyond_p = at_p.beyond;
         if (beyond_p == 0) push({snap(p.x - pixel_.left), snap(p.y - pixel_.low)});
         if ((beyond_p & beyond_q) != 0 || (beyond_p | beyond_q) == 0) return;
         // An edge whose ends lie on different sides of a border line meets the border exactly when the
         // border's ends do not both lie strictly on one side of the edge.
-        const Set missed = (at_p.inside & next(at_p.inside)) | (at_p.outside & next(at_p.outside));
-        Set enters = beyond_p & ~missed, leaves = beyond_q & ~missed;
+        const FourSet missed =
+            (at_p.inside & next_around(at_p.inside)) | (at_p.outside & next_around(at_p.outside));
+        FourSet enters = beyond_p & ~missed, leaves = beyond_q & ~missed;
         if ((enters | leaves) == 0) return;
         const EdgeCrossings crossings(pixel_, p, q);
         for (; enters != 0; enters &= enters - 1)
@@ -259,8 +116,8 @@ class BorderWalk {
             if ((corners_inside_ >> (corner & 3) & 1u) != 0) push(kCorner[corner & 3]);
     }
 
-    const Borders& pixel_;
-    Set corners_inside_;
+    const PixelBorders& pixel_;
+    FourSet corners_inside_;
     Point* begin_;
     Point* end_;
     double first_entry_ = -1, left_at_ = 0;
@@ -308,11 +165,11 @@ Turning turning(std::span<const Point> ring) {
     const Turning found = first == Sign::Positive ? Turning::Positive : Turning::Negative;
     if (n == 3) return found;
     unsigned reversals = 0;  // of the travel along x (then y): two for one turn around, more for several
-    bool forward = before(ring[n - 1], ring[0]);
+    bool forward = is_before(ring[n - 1], ring[0]);
     for (std::size_t i = 0; i < n; ++i) {
         const Point p = ring[i], q = ring[i + 1 < n ? i + 1 : 0];
         if (i + 1 < n && turn(ring[i > 0 ? i - 1 : n - 1], p, q) != first) return Turning::NotStrictlyConvex;
-        const bool now_forward = before(p, q);
+        const bool now_forward = is_before(p, q);
         reversals += now_forward != forward;
         forward = now_forward;
     }
@@ -320,27 +177,27 @@ Turning turning(std::span<const Point> ring) {
 }
 
 bool may_overlap(PixelIndex index, std::span<const Point> outline) {
-    const Borders pixel(index);
-    Set all = kAll;
+    const PixelBorders pixel(index);
+    FourSet all = kAllFour;
     for (const Point p : outline) all &= pixel.on_or_beyond(p);
     return all == 0;
 }
 
 Overlap overlap(PixelIndex index, const ConvexOutline& outline, std::vector<EdgeView>& views) {
-    const Borders pixel(index);
+    const PixelBorders pixel(index);
     const std::size_t n = outline.size(), first = views.size();
     views.resize(first + n);
     EdgeView* const view = views.data() + first;
-    Set beyond = 0;
+    FourSet beyond = 0;
     bool reaches_in = false;
     for (std::size_t i = 0; i < n; ++i) {
-        const Set place = pixel.beyond(outline[i]);
+        const FourSet place = pixel.beyond(outline[i]);
         view[i] = {static_cast<std::uint8_t>(place), 0, 0};
         beyond |= place;
         reaches_in = reaches_in || place == 0;
     }
     if (beyond == 0) return Overlap::Part;  // all of it is in the pixel, and no corner of the pixel in it
-    Set outside = 0;
+    FourSet outside = 0;
     const auto look = [&](std::size_t i) {
         const CornerSides sides = corner_sides(pixel, outline[i], outline[i + 1 < n ? i + 1 : 0]);
         view[i].inside = static_cast<std::uint8_t>(sides.inside);
@@ -364,13 +221,13 @@ Overlap overlap(PixelIndex index, const ConvexOutline& outline, std::vector<Edge
 
 std::span<const Point> clip_to_pixel(PixelIndex index, const ConvexOutline& outline,
                                      std::span<const EdgeView> views, std::vector<Point>& scratch) {
-    const Borders pixel(index);
+    const PixelBorders pixel(index);
     const std::size_t n = outline.size();
-    Set outside = 0;
+    FourSet outside = 0;
     for (const EdgeView& view : views) outside |= view.outside;
     // An edge adds its start, two crossings with borders at either end, and four corners of the pixel.
     if (scratch.size() < 9 * n + 8) scratch.resize(9 * n + 8);
-    BorderWalk walk(pixel, kAll & ~outside, scratch.data());
+    BorderWalk walk(pixel, kAllFour & ~outside, scratch.data());
     Point p = outline[0];
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t following = i + 1 < n ? i + 1 : 0;
@@ -386,7 +243,7 @@ std::span<const Point> clip_to_pixel(PixelIndex index, const ConvexOutline& outl
         if (size < 3) return {};
     }
     const auto begin = scratch.begin(), end = begin + static_cast<std::ptrdiff_t>(size);
-    std::rotate(begin, std::min_element(begin, end, before), end);
+    std::rotate(begin, std::min_element(begin, end, is_before), end);
     return {scratch.data(), size};
 }
 
