@@ -11,9 +11,9 @@ const JOINT = [267, 441];
 const SCENE = ["scene", "data/scenes/tower_closeup.json", "--size", "500x500"];
 
 const programs = new Programs(build);
-const published = programs.report("tour-published", [...SCENE, "--engine", "published"], 1);
+const published = await programs.report("tour-published", [...SCENE, "--engine", "published"], 1);
 const question = programs.run("keikan", ["pixel", ...SCENE.slice(1), "--at", JOINT.join(",")]).out;
-const traversal = programs.report("tour-traversal", ["areas", "-", "--engine", "traversal"], 0, question);
+const traversal = await programs.report("tour-traversal", ["areas", "-", "--engine", "traversal"], 0, question);
 
 const browser = await startedChromium();
 const hash = `#x=${JOINT[0]}&y=${JOINT[1]}`;
