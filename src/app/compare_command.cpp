@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -12,7 +13,6 @@
 #include "keikan/image/exr_file.hpp"
 #include "keikan/image/png_file.hpp"
 #include "keikan/support/atomic_file.hpp"
-#include "keikan/support/check.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
 #include "keikan/support/progress.hpp"
@@ -77,20 +77,6 @@ void require_folder(const std::string& folder) {
     const AtomicFile probe(std::filesystem::path(folder) / "compare.json");  // unfinished: leaves nothing
 }
 
-/// Areas are exact, so that no pixel without water may be visibly off: for the one method that promises it.
-void require_exact(const compare::Comparison& comparison) {
-    if (comparison.water || comparison.truth_is == "given") return;
-    for (const compare::MethodResult& result : comparison.methods) {
-        const baseline::Method& method = result.method;
-        const bool promises = method.kind == baseline::Method::Kind::Catmull ||
-                              (method.kind == baseline::Method::Kind::Kato &&
-                               method.extraction.value_or(Extraction::Outline) == Extraction::Outline);
-        KEIKAN_CHECK(!promises || result.all.off_share == 0, name_of(method)
-                                                                 << " is off by up to " << result.all.largest
-                                                                 << " where it must be exact");
-    }
-}
-
 void compare_scene(const CompareCommand& command, const CommonOptions& common) {
     compare::ComparisonOptions options;
     options.methods = methods_of(command.methods);
@@ -125,7 +111,7 @@ void compare_scene(const CompareCommand& command, const CommonOptions& common) {
     const std::string name = scene.file.stem().string();
     compare::write_comparison(command.folder, name, comparison, sequence, report);
     write_whole_file("-", compare::comparison_table(name, comparison, sequence));
-    require_exact(comparison);
+    compare::require_exact(comparison);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace {
 
 using Kind = baseline::Method::Kind;
 
+constexpr const char* kGiven = "given";  ///< what the truth is
+
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
@@ -35,7 +37,7 @@ void find_truth(const Scene& scene, const Geometry& geometry, const ComparisonOp
                 Comparison& comparison) {
     if (options.reference) {
         comparison.truth = *options.reference;
-        comparison.truth_is = "given";
+        comparison.truth_is = kGiven;
         return;
     }
     baseline::MethodOptions method = method_options(options);
@@ -95,7 +97,21 @@ void search_equal_quality(const Scene& scene, const Geometry& geometry, const Co
     }
 }
 
+bool promises_exact_areas(const baseline::Method& method) {
+    return method.kind == Kind::Catmull ||
+           (method.kind == Kind::Kato &&
+            method.extraction.value_or(Extraction::Outline) == Extraction::Outline);
+}
+
 }  // namespace
+
+void require_exact(const Comparison& comparison) {
+    if (comparison.water || comparison.truth_is == kGiven) return;
+    for (const MethodResult& result : comparison.methods)
+        KEIKAN_CHECK(!promises_exact_areas(result.method) || result.all.off_share == 0,
+                     name_of(result.method) << " is off by up to " << result.all.largest
+                                            << " where it must be exact");
+}
 
 Image<std::uint8_t> conductor_pixels(const Geometry& geometry, const Camera& camera) {
     Image<std::uint8_t> mask(camera.size, 0);

@@ -7,6 +7,7 @@
 
 #include "keikan/compare/report.hpp"
 #include "keikan/compare/sequence.hpp"
+#include "keikan/support/check.hpp"
 #include "keikan/support/parallel.hpp"
 
 using namespace keikan;
@@ -58,6 +59,36 @@ TEST_CASE("compare_methods: kato and catmull are exact, the others err the less 
         CHECK(method.all.pixels == 6400);
     }
     CHECK(c.equal_quality.empty());
+}
+
+TEST_CASE("require_exact: one pixel of kato or catmull that is visibly off stops the comparison",
+          "[compare][truth]") {
+    const auto compared = [](const char* method, double off) {
+        ComparisonOptions options;
+        options.methods = methods({method});
+        options.repeat = 1;
+        options.search_to = 0;
+        Comparison c = compare_methods(tower().scene, tower().geometry, options);
+        Rgb& planted = c.methods[0].picture[{40, 40}];
+        planted.g = static_cast<float>(planted.g + (planted.g < 0.5f ? off : -off));
+        c.methods[0].all = picture_error(c.methods[0].picture, c.truth);
+        return c;
+    };
+    for (const char* const exact : {"kato", "kato:outline", "catmull"}) {
+        CHECK_NOTHROW(require_exact(compared(exact, 0)));
+        CHECK_NOTHROW(require_exact(compared(exact, kVisible / 2)));
+        CHECK_THROWS_WITH(require_exact(compared(exact, 2 * kVisible)),
+                          Catch::Contains(exact) && Catch::Contains("where it must be exact"));
+    }
+    for (const char* const other : {"kato:paper", "none", "multiscan:4", "grid:4"})
+        CHECK_NOTHROW(require_exact(compared(other, 2 * kVisible)));
+    Comparison excused = compared("kato", 2 * kVisible);
+    excused.water = true;
+    CHECK_NOTHROW(require_exact(excused));
+    excused.water = false;
+    CHECK_THROWS_AS(require_exact(excused), CheckFailure);
+    excused.truth_is = "given";
+    CHECK_NOTHROW(require_exact(excused));
 }
 
 TEST_CASE("compare_methods: the smallest N of equal quality, by doubling and bisection",

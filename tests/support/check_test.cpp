@@ -2,8 +2,10 @@
 #include "keikan/support/check.hpp"
 
 #include <catch2/catch.hpp>
+#include <new>
 
 #include "keikan/support/input_error.hpp"
+#include "keikan/support/program.hpp"
 
 using namespace keikan;
 
@@ -25,4 +27,14 @@ TEST_CASE("InputError: file, place and reason make one line", "[support]") {
     CHECK(std::string(InputError("a.json", "/camera", "no such key").what()) ==
           "a.json:/camera: no such key");
     CHECK(std::string(InputError("a.json", "", "empty").what()) == "a.json: empty");
+}
+
+TEST_CASE("run_program: done is 0, a mistake of ours 1, bad input 2", "[support][program]") {
+    CHECK(run_program("test", [] { return kDone; }) == 0);
+    CHECK(run_program("test", []() -> int { throw InputError("planted: bad input"); }) == 2);
+    CHECK(run_program("test", []() -> int {
+              KEIKAN_CHECK(1 + 1 == 3, "planted: a mistake");
+              return kDone;
+          }) == 1);
+    CHECK(run_program("test", []() -> int { throw std::bad_alloc(); }) == 1);
 }

@@ -100,6 +100,12 @@ struct Comparison {
 /// Property: (1) All but the seconds is the same for any number of threads.
 Comparison compare_methods(const Scene& scene, const Geometry& geometry, const ComparisonOptions& options);
 
+/// Holds kato (by outline extraction) and catmull to what they promise: areas are exact, so no pixel may be off
+/// by more than kVisible. Nothing is asked of a scene with water, nor against a truth that was given.
+///
+/// Errors: CheckFailure naming the method and its largest error.
+void require_exact(const Comparison& comparison);
+
 /// 1 where any part of a conductor is seen, by exact areas.
 Image<std::uint8_t> conductor_pixels(const Geometry& geometry, const Camera& camera);
 
