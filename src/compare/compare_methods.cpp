@@ -109,8 +109,8 @@ void require_exact(const Comparison& comparison) {
     if (comparison.water || comparison.truth_is == kGiven) return;
     for (const MethodResult& result : comparison.methods)
         KEIKAN_CHECK(!promises_exact_areas(result.method) || result.all.off_share == 0,
-                     name_of(result.method) << " is off by up to " << result.all.largest
-                                            << " where it must be exact");
+                     name_of(result.method)
+                         << " is off by up to " << result.all.largest << " where it must be exact");
 }
 
 Image<std::uint8_t> conductor_pixels(const Geometry& geometry, const Camera& camera) {

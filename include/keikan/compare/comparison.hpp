@@ -100,8 +100,8 @@ struct Comparison {
 /// Property: (1) All but the seconds is the same for any number of threads.
 Comparison compare_methods(const Scene& scene, const Geometry& geometry, const ComparisonOptions& options);
 
-/// Holds kato (by outline extraction) and catmull to what they promise: areas are exact, so no pixel may be off
-/// by more than kVisible. Nothing is asked of a scene with water, nor against a truth that was given.
+/// Holds kato (by outline extraction) and catmull to what they promise: areas are exact, so no pixel may be
+/// off by more than kVisible. Nothing is asked of a scene with water, nor against a truth that was given.
 ///
 /// Errors: CheckFailure naming the method and its largest error.
 void require_exact(const Comparison& comparison);
