@@ -24,12 +24,12 @@ constexpr double kLeft = 74, kRight = 620, kTop = 62, kBottom = 436;
 constexpr std::string_view kStyle = R"(<style>
 .card { fill: #ffffff } text { font-family: 'DejaVu Sans', Verdana, Arial, sans-serif; font-size: 12px; fill: #24292f }
 .soft { fill: #57606a } .grid { stroke: #d0d7de; stroke-width: 1 } .title { font-size: 15px }
-.line { fill: none; stroke-width: 2 } .late { stroke-dasharray: 4 3 } .dot { stroke: none }
+.lead { stroke: #57606a; stroke-width: 1 } .line { fill: none; stroke-width: 2 } .late { stroke-dasharray: 4 3 } .dot { stroke: none }
 .k0 { stroke: #0072b2; fill: #0072b2 } .k1 { stroke: #d55e00; fill: #d55e00 } .k2 { stroke: #009e73; fill: #009e73 }
 .k3 { stroke: #aa4499; fill: #aa4499 } .k4 { stroke: #24292f; fill: #24292f }
 path.line { fill: none }
 @media (prefers-color-scheme: dark) {
-.card { fill: #1b2027 } text { fill: #e6edf3 } .soft { fill: #a8b3bf } .grid { stroke: #3a424c }
+.card { fill: #1b2027 } text { fill: #e6edf3 } .soft { fill: #a8b3bf } .grid { stroke: #3a424c } .lead { stroke: #a8b3bf }
 .k0 { stroke: #56b4e9; fill: #56b4e9 } .k1 { stroke: #ff8c42; fill: #ff8c42 } .k2 { stroke: #35c79b; fill: #35c79b }
 .k3 { stroke: #e08bd0; fill: #e08bd0 } .k4 { stroke: #e6edf3; fill: #e6edf3 }
 }
@@ -133,26 +133,60 @@ std::string drawn(const Line& line, const Axis& x, const Axis& y) {
     return out;
 }
 
-/// Names at the right of the lines' ends, moved apart where they would stand on each other.
-std::string names(const std::vector<Line>& lines, const Axis& x, const Axis& y) {
-    constexpr double kApart = 15;
-    struct Name {
-        double x, y;
-        std::string words;
+struct Box {
+    double left = 0, right = 0, top = 0, bottom = 0;
+    bool holds(double x, double y) const { return x > left && x < right && y > top && y < bottom; }
+    bool meets(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+};
+
+/// Whether any dot, or any place along a line, lies in the box.
+bool drawn_over(const Box& box, const std::vector<Line>& lines, const Axis& x, const Axis& y) {
+    constexpr int kSteps = 32;
+    for (const Line& line : lines)
+        for (std::size_t i = 0; i < line.dots.size(); ++i) {
+            const Dot &p = line.dots[i], &q = line.dots[std::min(i + 1, line.dots.size() - 1)];
+            for (int k = 0; k < kSteps; ++k) {
+                const double along = static_cast<double>(k) / kSteps;
+                if (box.holds(x.at(p.seconds) + along * (x.at(q.seconds) - x.at(p.seconds)),
+                              y.at(p.error) + along * (y.at(q.error) - y.at(p.error))))
+                    return true;
+            }
+        }
+    return false;
+}
+
+/// Names at the right of the lines' ends; where something stands there already, higher or lower, and a thin
+/// line leads to the end.
+std::string names(std::vector<Line> lines, const Axis& x, const Axis& y) {
+    const auto end_of = [&](const Line& line) {
+        return std::pair(y.at(line.dots.back().error), x.at(line.dots.back().seconds));
     };
-    std::vector<Name> all;
+    std::sort(lines.begin(), lines.end(),
+              [&](const Line& a, const Line& b) { return end_of(a) > end_of(b); });
+    std::vector<Box> taken;
+    std::string out;
     for (const Line& line : lines) {
         const Dot& last = line.dots.back();
-        all.push_back({x.at(last.seconds) + 9, y.at(last.error) + 4,
-                       last.name.empty() ? line.name : line.name + ":" + last.name});
-    }
-    std::sort(all.begin(), all.end(), [](const Name& a, const Name& b) { return a.y > b.y; });
-    std::string out;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j)
-            if (std::abs(all[i].x - all[j].x) < 110 && std::abs(all[i].y - all[j].y) < kApart)
-                all[i].y = all[j].y - kApart;
-        out += text(all[i].x, all[i].y, all[i].words);
+        const std::string words = last.name.empty() ? line.name : line.name + ":" + last.name;
+        const auto [end_y, end_x] = end_of(line);
+        Box box;
+        double down = 0;
+        for (const double step : {0, -16, 16, -32, 32, -48, 48}) {
+            down = step;
+            const double foot = end_y + 4 + down;
+            box = {end_x + 7, end_x + 10 + 7.5 * static_cast<double>(words.size()), foot - 11, foot + 3};
+            const bool inside = box.top > kTop - 8 && box.bottom < kBottom + 8;
+            const bool free =
+                std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); });
+            if (inside && free && !drawn_over(box, lines, x, y)) break;
+        }
+        taken.push_back(box);
+        if (down != 0)
+            out += fmt::format("<path class=\"lead\" d=\"M{:.1f} {:.1f} L{:.1f} {:.1f}\"/>\n", end_x, end_y,
+                               end_x + 8, end_y + down);
+        out += text(end_x + 10, end_y + 4 + down, words);
     }
     return out;
 }

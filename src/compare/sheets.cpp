@@ -92,7 +92,7 @@ Image<Rgb> frames_sheet(const Sequence& sequence, const Window& window, int zoom
 }
 
 Image<Rgb> error_picture(const Image<Rgb>& picture, const Image<Rgb>& truth, const std::string& label) {
-    constexpr int kScaleHeight = 42;
+    constexpr int kScaleHeight = 42 + kLabel;  // a line for the scale's numbers, one for the label
     const int width = picture.width(), height = picture.height();
     Image<Rgb> errors({width, height + kScaleHeight}, kPaper);
     const auto off = [](float p, float q) {
@@ -113,7 +113,7 @@ Image<Rgb> error_picture(const Image<Rgb>& picture, const Image<Rgb>& truth, con
                2);
     }
     letter(errors, width - 14, height + 20, "1", kInk, 2);
-    letter(errors, width - 34 - 12 * static_cast<int>(label.size()), height + 20, label, kInk, 2);
+    letter(errors, 2, height + 20 + kLabel, label, kInk, 2);
     return errors;
 }
 

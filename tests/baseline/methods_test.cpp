@@ -17,18 +17,27 @@ namespace {
 
 using Factory = std::function<std::function<BandMaker()>(const FacesInView&)>;
 
-/// What the method shows in every pixel, row by row.
-std::vector<small_scenes::Shown> shown_by(const Factory& method, const Geometry& geometry,
-                                          const Camera& camera) {
+struct Made {
+    std::vector<ScanBand> bands;
+    std::vector<WaterPoint> water;
+};
+
+Made made_by(const Factory& method, const Geometry& geometry, const Camera& camera) {
     const ProjectedFaces faces = project_faces(geometry, camera);
     const FacesInView view(geometry, faces, camera);
     const BandMaker make = method(view)();
-    std::vector<ScanBand> bands;
-    std::vector<WaterPoint> water;
+    Made made;
     for (int row = 0; row < camera.size.height; row += kBandRows)
-        make({row, std::min(kBandRows, camera.size.height - row)}, bands.emplace_back(), water);
-    CHECK(water.empty());
-    return small_scenes::shown(bands, camera.size);
+        make({row, std::min(kBandRows, camera.size.height - row)}, made.bands.emplace_back(), made.water);
+    return made;
+}
+
+/// What the method shows in every pixel, row by row.
+std::vector<small_scenes::Shown> shown_by(const Factory& method, const Geometry& geometry,
+                                          const Camera& camera) {
+    const Made made = made_by(method, geometry, camera);
+    CHECK(made.water.empty());
+    return small_scenes::shown(made.bands, camera.size);
 }
 
 Factory multiscan(int n) {
@@ -65,6 +74,30 @@ Geometry level_border(const Camera& camera, double height) {
     small_scenes::add_rectangle(mesh, camera, 0, 0, 4, height, 8);
     small_scenes::add_rectangle(mesh, camera, 0, height, 4, 4, 8);
     return small_scenes::geometry(mesh);
+}
+
+/// Where the only part of the picture's first divided pixel is shaded.
+Point shaded_at(const Factory& method, const Geometry& geometry, const Camera& camera) {
+    const Made made = made_by(method, geometry, camera);
+    REQUIRE(made.bands[0].divided.size() >= 1);
+    const DividedPixel& first = made.bands[0].divided[0];
+    REQUIRE(first.part_end == first.part_begin + 1);
+    const SeenPart& part = made.bands[0].parts[first.part_begin];
+    return {part.x, part.y};
+}
+
+/// The places in the picture's first pixel that are looked at as water, row by row.
+std::vector<WaterPoint> water_in_first_pixel(const Factory& method, const Camera& camera, double right,
+                                             double bottom) {
+    Mesh lake;
+    small_scenes::add_rectangle(lake, camera, 0, 0, right, bottom, 8);
+    std::vector<WaterPoint> water =
+        made_by(method, small_scenes::geometry(lake, ObjectKind::Water), camera).water;
+    std::erase_if(water, [](const WaterPoint& point) { return point.x != 0 || point.y != 0; });
+    std::sort(water.begin(), water.end(), [](const WaterPoint& a, const WaterPoint& b) {
+        return std::pair(a.at.y, a.at.x) < std::pair(b.at.y, b.at.x);
+    });
+    return water;
 }
 
 /// Root of the mean square of all faces' errors in all pixels, against exact areas.
@@ -198,6 +231,38 @@ TEST_CASE("supersampling (1): grid:N counts cell middles, random:N is exact wher
     CHECK(share(random_samples(16), 0.25) == 0.25);
 }
 
+TEST_CASE("supersampling: jittered places are uniform in their cells, and none knows of another",
+          "[baseline][supersampling]") {
+    // random:2 looks once into a pixel's upper half and once into its lower. The upper place is in the first
+    // rectangle with the odds of 1/4, the lower one in the second with 1/2.
+    constexpr int kSide = 32;
+    const Camera camera = small_scenes::orthographic({kSide, kSide});
+    Mesh first, second;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            small_scenes::add_rectangle(first, camera, x, y, x + 0.5, y + 0.25, 8);
+            small_scenes::add_rectangle(second, camera, x + 0.5, y + 0.5, x + 1, y + 1, 8);
+        }
+    const Geometry geometry = small_scenes::geometry(
+        {Object{"first", ObjectKind::Model, first}, Object{"second", ObjectKind::Model, second}});
+    const double pixels = kSide * kSide;
+    double in_first = 0, in_second = 0, in_both = 0;
+    for (const small_scenes::Shown& pixel : shown_by(random_samples(2), geometry, camera)) {
+        double of_first = 0, of_second = 0;
+        for (const auto& [face, weight] : pixel.weights) (face < pixels ? of_first : of_second) += weight;
+        in_first += of_first > 0;
+        in_second += of_second > 0;
+        in_both += of_first > 0 && of_second > 0;
+    }
+    // Five standard deviations of so many throws.
+    const auto as_thrown = [&](double odds) {
+        return Approx(odds * pixels).epsilon(0).margin(5 * std::sqrt(pixels * odds * (1 - odds)));
+    };
+    CHECK(in_first == as_thrown(1.0 / 4));
+    CHECK(in_second == as_thrown(1.0 / 2));
+    CHECK(in_both == as_thrown(1.0 / 8));
+}
+
 TEST_CASE("supersampling: with four times the samples, jittered ones err at most half as much",
           "[baseline][supersampling]") {
     const Camera camera = small_scenes::camera({24, 24});
@@ -215,6 +280,58 @@ TEST_CASE("supersampling: pixels that are not asked for stay background", "[base
     const auto pixels = shown_by([&](const FacesInView& view) { return supersampling(view, options); },
                                  one_rectangle(camera, 0, 0, 4, 4), camera);
     for (std::size_t i = 0; i < pixels.size(); ++i) CHECK(weight_of(pixels[i], 0) == (i == 6 ? 1 : 0));
+}
+
+TEST_CASE("methods: a face is shaded once in a pixel, in the middle of what was found of it there",
+          "[baseline][none][multiscan][orthogonal][supersampling]") {
+    const Camera camera = small_scenes::orthographic();
+    // The right of the pixel's upper half.
+    const Geometry face = one_rectangle(camera, 0.3125, 0, 1, 0.5);
+    const auto at = [&](const Factory& method) { return shaded_at(method, face, camera); };
+    CHECK(at(multiscan(4)) == Point{0.65625, 0.25});  // lines at 1/8 and 3/8
+    CHECK(at(grid(16)) == Point{0.625, 0.25});        // columns at 3/8, 5/8, 7/8
+    CHECK(at(kCatmull) == Point{0.65625, 0.25});
+    const Point orthogonal_place = at(orthogonal(4)), random_place = at(random_samples(4096));
+    CHECK(orthogonal_place.x == Approx(0.65625).margin(0.1));  // upright lines at 3/8, 5/8, 7/8, too
+    CHECK(orthogonal_place.y == Approx(0.25).margin(0.1));
+    // 1300 samples: the mean of uniform ones would be off by 0.005, that of one in each cell by less.
+    CHECK(random_place.x == Approx(0.65625).margin(0.005));
+    CHECK(random_place.y == Approx(0.25).margin(0.005));
+}
+
+TEST_CASE("methods: where water is looked at, and with what share of the pixel",
+          "[baseline][none][multiscan][orthogonal][supersampling][water]") {
+    const Camera camera = small_scenes::orthographic();
+    const auto looks = [&](const Factory& method, double right, double bottom) {
+        return water_in_first_pixel(method, camera, right, bottom);
+    };
+    const auto sum = [](const std::vector<WaterPoint>& points) {
+        double weight = 0;
+        for (const WaterPoint& point : points) weight += point.weight;
+        return weight;
+    };
+    const auto one = looks(kNone, 0.75, 0.75);
+    REQUIRE(one.size() == 1);
+    CHECK((one[0].at == Point{0.5, 0.5} && one[0].weight == 1));
+    CHECK(looks(kNone, 0.25, 4).empty());
+
+    const auto by_line = looks(multiscan(4), 0.75, 0.5);  // lines at 1/8 and 3/8
+    REQUIRE(by_line.size() == 2);
+    CHECK((by_line[0].at == Point{0.375, 0.125} && by_line[1].at == Point{0.375, 0.375}));
+    CHECK((by_line[0].weight == 0.1875 && by_line[1].weight == 0.1875));
+
+    // The level lines, at 0 and 1, say a half; only the upright ones know where the shore is.
+    CHECK(sum(looks(orthogonal(1), 4, 0.28)) == Approx(0.28).epsilon(1e-14));
+    CHECK(sum(looks(orthogonal(4), 0.375, 4)) == Approx(0.375).epsilon(1e-14));
+
+    const auto by_sample = looks(grid(4), 0.5, 4);
+    REQUIRE(by_sample.size() == 2);
+    CHECK((by_sample[0].at == Point{0.25, 0.25} && by_sample[1].at == Point{0.25, 0.75}));
+    CHECK((by_sample[0].weight == 0.25 && by_sample[1].weight == 0.25));
+
+    const auto once = looks(kCatmull, 0.5, 0.25);
+    REQUIRE(once.size() == 1);
+    CHECK((once[0].at == Point{0.25, 0.125} && once[0].weight == 0.125));
 }
 
 TEST_CASE("exact_everywhere (1): the areas of the scan, within the error of both", "[baseline][catmull]") {

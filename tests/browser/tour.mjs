@@ -21,11 +21,13 @@ const hash = `#x=${JOINT[0]}&y=${JOINT[1]}`;
 /** A picture of `selector`, cut off at `height`, of a page on which `act` has been done. */
 async function take(name, report, options, selector, height, act = async () => {}) {
     const page = await openedPage(browser, report.folder, { viewport: { width: 1320, height: 1000 }, ...options });
+    // As tall as all of it, so that nothing scrolls between measuring and taking.
+    await page.setViewportSize({ width: page.viewportSize().width, height: await page.evaluate(() => document.documentElement.scrollHeight) });
+    await page.waitForFunction(() => window.scrollY === 0);
     await act(page);
     const box = await page.locator(selector).boundingBox();
-    const scroll = await page.evaluate(() => [window.scrollX, window.scrollY]);
     const file = join(pictures, `tour-${name}.png`);
-    await page.screenshot({ path: file, fullPage: true, clip: { x: Math.max(0, box.x + scroll[0] - 8), y: Math.max(0, box.y + scroll[1] - 8),
+    await page.screenshot({ path: file, clip: { x: Math.max(0, box.x - 8), y: Math.max(0, box.y - 8),
         width: box.width + 16, height: Math.min(height, box.height + 16) } });
     if (page.complaints.length) throw new Error(page.complaints.join("\n"));
     await page.context().close();
@@ -33,7 +35,7 @@ async function take(name, report, options, selector, height, act = async () => {
 }
 
 await take("1-verdict", published, {}, "header", 420);
-await take("2-picture", published, { hash }, "#picture-panel", 900, async (page) => {
+await take("2-picture", published, { hash, viewport: { width: 900, height: 1000 } }, "#picture-panel", 1100, async (page) => {
     await page.selectOption("#compare", "slider");
     await page.selectOption("#mode-1", "errors");
     await page.locator("#picture-canvas").focus();
