@@ -19,7 +19,7 @@ struct SeenFace {
     /// n(x, y) = normal[0] + normal[1] (x - x0) + normal[2] (y - y0), with (x0, y0) = `normal_at`.
     std::array<std::array<float, 3>, 3> normal{};
     Point normal_at;
-    std::array<float, 3> flat_normal{};  ///< unit normal of the plane itself (slope of terrain)
+    std::array<float, 3> flat_normal{};  ///< unit normal of the plane itself, towards the viewer
     friend bool operator==(const SeenFace&, const SeenFace&) = default;
 };
 
