@@ -24,6 +24,9 @@ namespace {
 /// ends.
 constexpr double kTracedCycles = 1, kSlopeCycles = 3;
 
+/// How near to the waves a ray meets them, across the view.
+constexpr double kMeetingError_px = 0x1p-10;
+
 double traced_share(double cycles) {
     const double s = std::clamp((cycles - kTracedCycles) / (kSlopeCycles - kTracedCycles), 0.0, 1.0);
     return 1 - s * s * (3 - 2 * s);
@@ -103,6 +106,10 @@ struct WaterSampler::Working {
             resolved.unresolved.add(direction, (1 - shares[i] * shares[i]) * waves.slope_variance(i));
         }
         resolved.waves.set_shares(waves, shares);
+        resolved.place = footprint.centre();
+        const glm::dvec3 to(resolved.place, water->level_m);
+        const double away = camera.kind == Camera::Kind::Orthographic ? 1 : glm::length(to - camera.position);
+        resolved.meeting_error_m = kMeetingError_px * away / camera.focal_px;
     }
 };
 

@@ -238,13 +238,13 @@ class Painter {
         }
     }
 
-    /// Samples [begin, end) of Sobol's points.
+    /// Samples [begin, end) of Sobol's points; several slopes share a place.
     void take_sobol(std::size_t begin, std::size_t end, SampleSums& sums) {
         const std::uint64_t position = key(kPositionNumbers), slope = key(kSlopeNumbers),
                             sun = key(kSunNumbers);
         clear_points();
         for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-            positions_.push_back(scrambled_sobol(i, position));
+            positions_.push_back(scrambled_sobol(i / kSlopesOfAPlace, position));
             slopes_.push_back(scrambled_sobol(i, slope));
             suns_.push_back(shuffled_sobol(i, sun));
         }

@@ -3,25 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "keikan/water/fresnel.hpp"
 
 namespace keikan {
 
-InWater into_water(const WaterSurface& water, const glm::dvec3& normal, const glm::dvec3& towards_viewer,
-                   double transmitted) {
+InWater into_water(const WaterSurface& water, const glm::dvec3& down, double transmitted) {
     InWater ray;
     if (!(transmitted > kFaint)) return ray;
     ray.share = transmitted / (kWaterIndex * kWaterIndex);
-    const double cosine = std::clamp(glm::dot(normal, towards_viewer), 0.0, 1.0);
-    const double inside = refracted_cosine(cosine);
-    ray.down = -(1 / kWaterIndex) * towards_viewer + (cosine / kWaterIndex - inside) * normal;
-    ray.mu_v = std::max(-ray.down.z, 1e-3);
+    ray.down = down;
+    ray.mu_v = std::max(-down.z, 1e-3);
     const Rgb a = water.absorption_per_m, b = water.scattering_per_m;
     const double clearest = static_cast<double>(std::min({a.r + b.r, a.g + b.g, a.b + b.b}));
     const double way = water.depth_m / ray.mu_v;
-    ray.visible_m = clearest > 0 ? std::min(way, -std::log(kFaint) / clearest) : way;
+    constexpr double kFaintOpticalDepth = 11 * std::numbers::ln2;  // - log kFaint
+    ray.visible_m = clearest > 0 ? std::min(way, kFaintOpticalDepth / clearest) : way;
     return ray;
 }
 

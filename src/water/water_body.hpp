@@ -15,9 +15,8 @@ struct InWater {
     double visible_m = 0;       ///< how far any of its light could be seen
 };
 
-/// Refracts the view ray at the unit normal; `transmitted` is the share that is not mirrored.
-InWater into_water(const WaterSurface& water, const glm::dvec3& normal, const glm::dvec3& towards_viewer,
-                   double transmitted);
+/// The view ray that is refracted to `down` (unit vector); `transmitted` is the share that is not mirrored.
+InWater into_water(const WaterSurface& water, const glm::dvec3& down, double transmitted);
 
 /// Where the ray ends.
 struct Bed {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "keikan/support/check.hpp"
 #include "keikan/water/fresnel.hpp"
+#include "light_lanes.hpp"
 #include "water_body.hpp"
 
 namespace keikan {
@@ -32,6 +32,19 @@ glm::dvec3 mirror(const glm::dvec3& v, const glm::dvec3& n) {
     return 2 * glm::dot(v, n) * n - v;
 }
 
+using MirrorLanes = void (*)(const lanes::MirrorJob&);
+
+MirrorLanes mirror_for_this_processor() {
+#ifdef KEIKAN_HAS_AVX2_SOURCE
+    if (__builtin_cpu_supports("avx2")) return lanes::mirror_with_avx2;
+#endif
+    return lanes::mirror_with_any_processor;
+}
+
+bool same(const ViewRay& p, const ViewRay& q) {
+    return p.origin == q.origin && p.direction == q.direction;
+}
+
 bool finite(Rgb colour) {
     return std::isfinite(colour.r) && std::isfinite(colour.g) && std::isfinite(colour.b);
 }
@@ -54,6 +67,7 @@ struct WaterLight::Way {
     std::uint16_t wave_rays = 0;
     std::uint32_t steps = 0;
     bool missed = false;
+    bool shares_meeting = false;  ///< with the waves: that of the way before, whose ray is the same
 };
 
 WaterLight::Memory::Memory() = default;
@@ -64,10 +78,10 @@ void WaterLight::along(const WaterSurface& water, const ResolvedWater& resolved,
                        SlopeOrder order) const {
     KEIKAN_CHECK(looks.size() == samples.size(), looks.size() << " looks, " << samples.size() << " samples");
     memory.ways.assign(looks.size(), Way{});
+    memory.near.set(resolved.waves, resolved.place, resolved.meeting_error_m);
     meet_waves(water, resolved, looks, memory);
     rank(memory, order);
-    for (std::size_t k = 0; k < looks.size(); ++k)
-        reflect(water, resolved, looks[k].slope, memory.ways[memory.ranks[k].second]);
+    mirror_views(water, resolved, looks, memory);
     mirror_between_waves(resolved, memory);
     look_for_faces(memory);
     look_for_sun(looks, memory);
@@ -112,13 +126,17 @@ void WaterLight::meet_waves(const WaterSurface& water, const ResolvedWater& reso
         way.on_wave = eye + way.t * ray.direction;
         way.on_plane = way.on_wave + below;
         if (!(way.t < kFarthest_m) || resolved.waves.empty()) continue;
+        if (i > 0 && same(ray, looks[i - 1].ray)) {
+            way.shares_meeting = true;
+            continue;
+        }
         // No farther than where the ray has left the troughs behind.
         const double farthest = way.t + (resolved.waves.crest_bound_m() + 1e-6) / falling;
         memory.active.push_back(static_cast<std::uint32_t>(i));
         memory.wave_rays.push_back({eye, ray.direction, farthest});
     }
     memory.meetings.resize(memory.wave_rays.size());
-    trace_waves(resolved.waves, memory.wave_rays, memory.meetings);
+    memory.near.trace(memory.wave_rays, memory.meetings);
     for (std::size_t i = 0; i < memory.active.size(); ++i) {
         Way& way = memory.ways[memory.active[i]];
         const auto& met = memory.meetings[i];
@@ -129,6 +147,15 @@ void WaterLight::meet_waves(const WaterSurface& water, const ResolvedWater& reso
         way.on_wave = memory.wave_rays[i].origin + met->t * memory.wave_rays[i].direction;
         way.slope = met->slope;
         way.steps += static_cast<std::uint32_t>(met->steps);
+    }
+    for (std::size_t i = 1; i < looks.size(); ++i) {
+        Way& way = memory.ways[i];
+        if (!way.shares_meeting) continue;
+        const Way& before = memory.ways[i - 1];
+        way.t = before.t;
+        way.on_wave = before.on_wave;
+        way.slope = before.slope;
+        way.missed = before.missed;
     }
 }
 
@@ -143,15 +170,72 @@ void WaterLight::rank(Memory& memory, SlopeOrder order) {
     if (order == SlopeOrder::ByRank) std::sort(memory.ranks.begin(), memory.ranks.end());
 }
 
-void WaterLight::reflect(const WaterSurface& water, const ResolvedWater& resolved, Choice slope,
-                         Way& way) const {
-    const SeenSlopes slopes(resolved.unresolved, way.slope, way.towards_viewer);
-    const glm::dvec3 normal = normal_of(slopes.at(slope.u1, slope.u2));
-    const double cosine = std::clamp(glm::dot(normal, way.towards_viewer), 0.0, 1.0);
-    way.reflectance = fresnel_reflectance(cosine);
-    way.direction = mirror(way.towards_viewer, normal);
-    way.sun_glitter = glitter(resolved.unresolved, way.slope, way.towards_viewer);
-    way.in_water = into_water(water, normal, way.towards_viewer, 1 - way.reflectance);
+void WaterLight::mirror_views(const WaterSurface& water, const ResolvedWater& resolved,
+                              std::span<const WaterLook> looks, Memory& memory) const {
+    static const auto mirror_lanes = mirror_for_this_processor();
+    enum List {
+        SlopeX,
+        SlopeY,
+        ViewX,
+        ViewY,
+        ViewZ,
+        U1,
+        U2,
+        Out,
+        Down = Out + 3,
+        Reflectance = Down + 3,
+        Glitter,
+        Lists
+    };
+    const std::size_t blocks = (looks.size() + lanes::kPadding - 1) / lanes::kPadding;
+    memory.numbers.assign(Lists * blocks, Eight{});
+    const auto list = [&](int which) { return memory.numbers[static_cast<std::size_t>(which) * blocks].v; };
+    const auto set = [&](int which, std::size_t i, double v) { list(which)[i] = static_cast<float>(v); };
+    for (std::size_t k = 0; k < looks.size(); ++k) {
+        const std::size_t i = memory.ranks[k].second;
+        const Way& way = memory.ways[i];
+        set(SlopeX, i, way.slope.x);
+        set(SlopeY, i, way.slope.y);
+        set(ViewX, i, way.towards_viewer.x);
+        set(ViewY, i, way.towards_viewer.y);
+        set(ViewZ, i, way.towards_viewer.z);
+        set(U1, i, looks[k].slope.u1);
+        set(U2, i, looks[k].slope.u2);
+    }
+    const glm::vec3 sun(scene_.light.to_sun);
+    // A uniform disc of radius r has the variance r^2 / 4 along each axis; a mirror turns by half the angle.
+    constexpr double kDisc = kSunRadius_rad * kSunRadius_rad / 16;
+    const SlopeCovariance& rough = resolved.unresolved;
+    const auto in_float = [](double v) { return static_cast<float>(v); };
+    mirror_lanes({.count = looks.size(),
+                  .slope_x = list(SlopeX),
+                  .slope_y = list(SlopeY),
+                  .view_x = list(ViewX),
+                  .view_y = list(ViewY),
+                  .view_z = list(ViewZ),
+                  .u1 = list(U1),
+                  .u2 = list(U2),
+                  .xx = in_float(rough.xx),
+                  .xy = in_float(rough.xy),
+                  .yy = in_float(rough.yy),
+                  .disc = in_float(kDisc),
+                  .sun_x = sun.x,
+                  .sun_y = sun.y,
+                  .sun_z = sun.z,
+                  .direction = {list(Out), list(Out + 1), list(Out + 2)},
+                  .reflectance = list(Reflectance),
+                  .glitter = list(Glitter),
+                  .down = {list(Down), list(Down + 1), list(Down + 2)}});
+    const auto vector = [&](int first, std::size_t i) {
+        return glm::dvec3(glm::vec3(list(first)[i], list(first + 1)[i], list(first + 2)[i]));
+    };
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        Way& way = memory.ways[i];
+        way.direction = vector(Out, i);
+        way.reflectance = static_cast<double>(list(Reflectance)[i]);
+        way.sun_glitter = static_cast<double>(list(Glitter)[i]);
+        way.in_water = into_water(water, vector(Down, i), 1 - way.reflectance);
+    }
 }
 
 void WaterLight::mirror_between_waves(const ResolvedWater& resolved, Memory& memory) const {
@@ -176,7 +260,7 @@ void WaterLight::mirror_between_waves(const ResolvedWater& resolved, Memory& mem
             ++way.wave_rays;
         }
         memory.meetings.resize(memory.wave_rays.size());
-        trace_waves(resolved.waves, memory.wave_rays, memory.meetings);
+        memory.near.trace(memory.wave_rays, memory.meetings);
         std::size_t kept = 0;
         for (std::size_t k = 0; k < memory.active.size(); ++k) {
             Way& way = memory.ways[memory.active[k]];
@@ -241,25 +325,6 @@ void WaterLight::look_for_sun(std::span<const WaterLook> looks, Memory& memory) 
         if (way.sun_ray != kNoRay && memory.hidden[way.sun_ray] != 0) way.sun_shares[0] = 0;
         if (way.face_sun_ray != kNoRay && memory.hidden[way.face_sun_ray] != 0) way.sun_shares[1] = 0;
     }
-}
-
-double WaterLight::glitter(const SlopeCovariance& unresolved, glm::dvec2 slope,
-                           const glm::dvec3& towards_viewer) const {
-    const glm::dvec3& sun = scene_.light.to_sun;
-    if (!(sun.z > 0)) return 0;
-    const glm::dvec3 sum = sun + towards_viewer;
-    if (!(sum.z > 0)) return 0;
-    SlopeCovariance wide = unresolved;
-    // A uniform disc of radius r has the variance r^2 / 4 along each axis; a mirror turns by half the angle.
-    constexpr double kDisc = kSunRadius_rad * kSunRadius_rad / 16;
-    wide.xx += kDisc;
-    wide.yy += kDisc;
-    const glm::dvec3 half = sum / glm::length(sum);
-    const double cosine = glm::dot(half, towards_viewer);
-    const double density =
-        SeenSlopes(wide, slope, towards_viewer).density_by_projection({-half.x / half.z, -half.y / half.z});
-    return std::numbers::pi * fresnel_reflectance(std::min(cosine, 1.0)) * density /
-           (4 * half.z * half.z * half.z * half.z);
 }
 
 Rgb WaterLight::mirrored(const Way& way, const Memory& memory) const {

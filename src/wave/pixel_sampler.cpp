@@ -12,8 +12,7 @@ namespace keikan {
 namespace {
 
 std::uint32_t reversed_bits(std::uint32_t v) {
-    v = (v >> 16) | (v << 16);
-    v = ((v & 0x00ff00ffu) << 8) | ((v & 0xff00ff00u) >> 8);
+    v = __builtin_bswap32(v);
     v = ((v & 0x0f0f0f0fu) << 4) | ((v & 0xf0f0f0f0u) >> 4);
     v = ((v & 0x33333333u) << 2) | ((v & 0xccccccccu) >> 2);
     return ((v & 0x55555555u) << 1) | ((v & 0xaaaaaaaau) >> 1);
@@ -30,15 +29,11 @@ std::uint32_t laine_karras(std::uint32_t v, std::uint32_t seed) {
     return v;
 }
 
-std::uint32_t owen_scrambled(std::uint32_t v, std::uint32_t seed) {
-    return reversed_bits(laine_karras(reversed_bits(v), seed));
-}
-
-/// Sobol's second coordinate: the matrix of Pascal's triangle modulo 2, whose columns follow by v ^= v >> 1.
-std::uint32_t sobol_second(std::uint32_t i) {
+/// Sobol's second coordinate, read backwards: the matrix of Pascal's triangle modulo 2, whose columns follow
+/// by v ^= v << 1. (The first coordinate, read backwards, is i itself.)
+std::uint32_t reversed_sobol_second(std::uint32_t i) {
     std::uint32_t result = 0;
-    for (std::uint32_t column = 0x80000000u; i != 0; i >>= 1, column ^= column >> 1)
-        if (i & 1) result ^= column;
+    for (std::uint32_t column = 1; i != 0; i >>= 1, column ^= column << 1) result ^= column & (0u - (i & 1));
     return result;
 }
 
@@ -111,15 +106,16 @@ void sample_points(Sampler sampler, std::size_t count, std::uint64_t key, std::v
 
 Point scrambled_sobol(std::uint32_t i, std::uint64_t key) {
     const std::uint64_t seeds = mixed(key);
-    const std::uint32_t x = owen_scrambled(reversed_bits(i), static_cast<std::uint32_t>(seeds));
-    const std::uint32_t y = owen_scrambled(sobol_second(i), static_cast<std::uint32_t>(seeds >> 32));
+    const std::uint32_t x = reversed_bits(laine_karras(i, static_cast<std::uint32_t>(seeds)));
+    const std::uint32_t y =
+        reversed_bits(laine_karras(reversed_sobol_second(i), static_cast<std::uint32_t>(seeds >> 32)));
     return {(x + 0.5) * 0x1p-32, (y + 0.5) * 0x1p-32};
 }
 
 Point shuffled_sobol(std::uint32_t i, std::uint64_t key) {
     // Owen's scrambling turns a bit by the bits above it alone, so an aligned block of 2^m stays one.
     const auto seed = static_cast<std::uint32_t>(mixed(key ^ 0x5bd1e9955bd1e995u));
-    return scrambled_sobol(owen_scrambled(i, seed), key);
+    return scrambled_sobol(reversed_bits(laine_karras(reversed_bits(i), seed)), key);
 }
 
 }  // namespace keikan

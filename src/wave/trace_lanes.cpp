@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #define KEIKAN_LANE_BYTES 16
 #include "trace_lanes.inc"
+#include "near_lanes.inc"
 
 namespace keikan::lanes {
 
 void trace_with_any_processor(const Job& job) {
     trace(job);
+}
+
+void trace_near_with_any_processor(const NearJob& job) {
+    trace_near(job);
 }
 
 Sums sums_at(const WaveSeries* waves, std::size_t wave_count, double x, double y) {

@@ -21,6 +21,12 @@ glm::dvec2 on_plane(const ViewRay& ray) {
 
 }  // namespace
 
+glm::dvec2 WaterFootprint::centre() const {
+    glm::dvec2 sum(0, 0);
+    for (const glm::dvec2 corner : outline()) sum += corner;
+    return count > 0 ? sum / static_cast<double>(count) : sum;
+}
+
 double WaterFootprint::extent_m(glm::dvec2 direction) const {
     if (count == 0) return 0;
     double least = std::numeric_limits<double>::infinity(), greatest = -least;

@@ -172,7 +172,7 @@ double draw(const std::vector<WaterPixel>& pixels, WaterSampler& sampler, const 
             slopes.clear();
             suns.clear();
             for (std::uint32_t i = begin; i < end; ++i) {
-                places.push_back(scrambled_sobol(i, place));
+                places.push_back(scrambled_sobol(i / kSlopesOfAPlace, place));
                 slopes.push_back(scrambled_sobol(i, slope));
                 suns.push_back(shuffled_sobol(i, sun));
             }

@@ -10,6 +10,7 @@
 #include "keikan/scene/water.hpp"
 #include "keikan/water/face_rays.hpp"
 #include "keikan/water/slopes.hpp"
+#include "keikan/wave/near_waves.hpp"
 #include "keikan/wave/pixel_sampler.hpp"
 #include "keikan/wave/trace_wave.hpp"
 #include "keikan/wave/water_footprint.hpp"
@@ -20,6 +21,9 @@ namespace keikan {
 struct ResolvedWater {
     WaveSurface waves;
     SlopeCovariance unresolved;
+    /// Rays meet the waves within this [m]; above kTraceError, by NearWaves around the place.
+    double meeting_error_m = kTraceError;
+    glm::dvec2 place{0, 0};
 };
 
 /// Two uniform numbers, which choose one among many.
@@ -85,11 +89,15 @@ struct WaterSample {
 class WaterLight {
   public:
     struct Way;
+    struct alignas(32) Eight {
+        float v[8];
+    };
     /// What a call needs to keep; one for each thread, so that calls do not allocate.
     struct Memory {
         Memory();
         ~Memory();
         std::vector<Way> ways;
+        NearWaves near;
         std::vector<std::uint32_t> active;
         std::vector<WaveRay> wave_rays;
         std::vector<std::optional<WaveMeeting>> meetings;
@@ -97,6 +105,7 @@ class WaterLight {
         std::vector<std::optional<FaceHit>> hits;
         std::vector<std::uint8_t> hidden;
         std::vector<std::pair<double, std::uint32_t>> ranks;
+        std::vector<Eight> numbers;
     };
 
     /// Requires: `scene` and `faces` outlive it.
@@ -118,12 +127,11 @@ class WaterLight {
     void meet_waves(const WaterSurface& water, const ResolvedWater& resolved,
                     std::span<const WaterLook> looks, Memory& memory) const;
     static void rank(Memory& memory, SlopeOrder order);
-    void reflect(const WaterSurface& water, const ResolvedWater& resolved, Choice slope, Way& way) const;
+    void mirror_views(const WaterSurface& water, const ResolvedWater& resolved,
+                      std::span<const WaterLook> looks, Memory& memory) const;
     void mirror_between_waves(const ResolvedWater& resolved, Memory& memory) const;
     void look_for_faces(Memory& memory) const;
     void look_for_sun(std::span<const WaterLook> looks, Memory& memory) const;
-    double glitter(const SlopeCovariance& unresolved, glm::dvec2 slope,
-                   const glm::dvec3& towards_viewer) const;
     Rgb mirrored(const Way& way, const Memory& memory) const;
     Rgb out_of_water(const WaterSurface& water, const Way& way, const Memory& memory) const;
 

@@ -31,6 +31,10 @@ enum class SlopeOrder {
     ByRank,
 };
 
+/// Where slopes are drawn for places in order, so many following ones may share a place: following the view
+/// to the waves costs more than a slope, and with SlopeOrder::ByRank the mean errs as little (docs/water.md).
+inline constexpr std::uint32_t kSlopesOfAPlace = 2;
+
 /// Names on the command line: random, paper, haber, jittered, sobol.
 /// Errors: InputError (reason only).
 Sampler sampler_of(const std::string& name);

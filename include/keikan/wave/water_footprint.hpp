@@ -20,6 +20,8 @@ struct WaterFootprint {
     bool reaches_horizon = false;  ///< something was cut away
 
     std::span<const glm::dvec2> outline() const { return {corners.data(), static_cast<std::size_t>(count)}; }
+    /// Mean of the corners; the origin for nothing.
+    glm::dvec2 centre() const;
     /// L: the largest extent along a direction (unit vector) [m]; 0 for nothing.
     double extent_m(glm::dvec2 direction) const;
 };
