@@ -131,7 +131,8 @@ void WaterLight::meet_waves(const WaterSurface& water, const ResolvedWater& reso
             continue;
         }
         // No farther than where the ray has left the troughs behind.
-        const double farthest = way.t + (resolved.waves.crest_bound_m() + 1e-6) / falling;
+        const double farthest =
+            way.t + (resolved.waves.crest_bound_m() + resolved.meeting_error_m + 1e-6) / falling;
         memory.active.push_back(static_cast<std::uint32_t>(i));
         memory.wave_rays.push_back({eye, ray.direction, farthest});
     }

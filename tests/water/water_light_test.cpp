@@ -217,6 +217,10 @@ TEST_CASE("WaterLight: rays that come from waves miss nothing and stay finite", 
                                    -std::sin(elevation));
         const WaterSample sample = light.along(water, resolved, {{{0, 0, 10}, direction}, {s.x, s.y}, {}});
         REQUIRE_FALSE(sample.missed);
+        // Nor where rays may meet the waves above or below them.
+        resolved.meeting_error_m = 2e-3 * u.y;
+        resolved.place = glm::dvec2(direction.x, direction.y) * (10 / -direction.z);
+        REQUIRE_FALSE(light.along(water, resolved, {{{0, 0, 10}, direction}, {s.x, s.y}, {}}).missed);
         // No brighter than the sun itself: pi over the solid angle of its disc, 6.8e-5.
         REQUIRE((sample.colour.r >= 0 && sample.colour.r < 5e4));
     }
