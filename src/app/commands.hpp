@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstdint>
-
-namespace CLI {
-class App;
-}
+#include "command_line/command_line.hpp"
 
 namespace keikan {
 
-/// Options that every command takes.
-struct CommonOptions {
-    int threads = 0;  ///< 0: all of the machine
-    std::uint64_t seed = 1;
-    bool quiet = false;
-};
+using CommonOptions = ProgramOptions;
 
 // Each adds its command to the program; parsing the command line then runs it. `common` must outlive that.
 void add_render_command(CLI::App& app, const CommonOptions& common);

@@ -9,24 +9,13 @@
 // and beside it: areas (visible areas of single pixels), pixel (one pixel of a scene as such a question),
 // clip (one difference of two polygons), compare (methods against each other and exact truth), info (what is
 // in a scene).
-#include <CLI/CLI.hpp>
-#include <string>
-#include <vector>
-
+#include "command_line/command_line.hpp"
 #include "commands.hpp"
-#include "keikan/support/input_error.hpp"
-#include "keikan/support/program.hpp"
 
 namespace {
 
 void describe_program(CLI::App& app, keikan::CommonOptions& common) {
-    app.set_version_flag("--version", "keikan " KEIKAN_VERSION);
-    app.require_subcommand(1);
-    app.fallthrough();  // --threads and its like may stand after the command
-    app.add_option("--threads", common.threads, "Threads to use (default: all of the machine)")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--seed", common.seed, "For whatever draws random numbers")->capture_default_str();
-    app.add_flag("--quiet", common.quiet, "No messages and no progress bar");
+    keikan::add_program_options(app, common, "keikan " KEIKAN_VERSION, "For whatever draws random numbers");
     keikan::add_render_command(app, common);
     keikan::add_scan_command(app, common);
     keikan::add_shade_command(app, common);
@@ -39,29 +28,13 @@ void describe_program(CLI::App& app, keikan::CommonOptions& common) {
         command->footer("Also --threads N, --seed N, --quiet: see keikan --help.");
 }
 
-/// CLI11 would only say that a command is missing where it does not know the one given.
-std::string usage_trouble(const CLI::App& app, const CLI::ParseError& trouble) {
-    const std::vector<std::string> unknown = app.remaining();
-    if (app.get_subcommands().empty() && !unknown.empty() && !unknown.front().starts_with('-'))
-        return "'" + unknown.front() + "' is not a command; keikan --help lists them";
-    return trouble.what();
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    using namespace keikan;
-    return run_program("keikan", [argc, argv] {
+    return keikan::run_program("keikan", [argc, argv] {
         CLI::App app("Landscapes without aliasing, every pixel proven");
-        CommonOptions common;
-        try {
-            describe_program(app, common);
-            app.parse(argc, argv);  // runs the command
-            return kDone;
-        } catch (const CLI::Success& help_or_version) {
-            return app.exit(help_or_version);
-        } catch (const CLI::ParseError& wrong_usage) {
-            throw InputError(usage_trouble(app, wrong_usage));
-        }
+        keikan::CommonOptions common;
+        describe_program(app, common);
+        return keikan::run_command_line(app, argc, argv, "keikan");
     });
 }

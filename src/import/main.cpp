@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "command_line/command_line.hpp"
 #include "import_dem.hpp"
-#include "keikan/support/program.hpp"
 
 namespace {
 
@@ -23,7 +22,7 @@ void print(const keikan::ImportedDem& dem, const std::string& grid) {
 
 int run(int argc, char** argv) {
     CLI::App app("Converts geographic data to files that keikan reads.", "keikan-import");
-    app.set_version_flag("--version", KEIKAN_VERSION);
+    app.set_version_flag("--version", "keikan-import " KEIKAN_VERSION);
     app.require_subcommand(1);
     CLI::App& dem = *app.add_subcommand(
         "dem",
@@ -38,14 +37,11 @@ int run(int argc, char** argv) {
     dem.add_option("--spacing", request.spacing_m, "metres between samples")->check(CLI::PositiveNumber);
     dem.add_option("--window", request.window, "XMIN YMIN XMAX YMAX in the metric frame");
     dem.add_flag("--quiet", quiet, "print no summary");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? keikan::kDone : keikan::kBadInput;
-    }
-    const keikan::ImportedDem imported = keikan::import_dem(request);
-    if (!quiet) print(imported, request.grid.string());
-    return 0;
+    dem.callback([&] {
+        const keikan::ImportedDem imported = keikan::import_dem(request);
+        if (!quiet) print(imported, request.grid.string());
+    });
+    return keikan::run_command_line(app, argc, argv, "keikan-import");
 }
 
 }  // namespace

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <cstdint>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "command_line/command_line.hpp"
 
 namespace keikan {
 
-/// Options that every command takes.
-struct CommonOptions {
-    int threads = 0;  ///< 0: all of the machine
-    std::uint64_t seed = 1;
-    bool quiet = false;
+/// Options that every command takes, and what it answers.
+struct CommonOptions : ProgramOptions {
     std::string json;          ///< where the summary goes beside standard output; empty: nowhere
     std::string command_line;  ///< as it was given, in words of a shell
     bool pass = true;          ///< what the command found
