@@ -188,7 +188,8 @@ TEST_CASE("CaseSeries: planes always or never, the polygons of the family all th
         never{all_families(), 5, DepthChoice::Never};
     for (std::uint64_t n = 0; n < 480; ++n) {
         const PixelCase c = as_made(n);
-        CHECK(c.id == degenerate_case(as_made.families[n % 24], 5, n / 24).id);
+        CHECK(c.id ==
+              degenerate_case(as_made.families[n % kFamilyNames.size()], 5, n / kFamilyNames.size()).id);
         CHECK(always(n).polygons == c.polygons);
         REQUIRE(always(n).depth);
         CHECK(always(n).depth->size() == c.polygons.size());

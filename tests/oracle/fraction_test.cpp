@@ -140,6 +140,13 @@ TEST_CASE("oracle: corners may lie as far away as doubles reach", "[oracle]") {
     check(asked({square(-1e18, 0, 0.25, 1e18)}), {q(1, 4), q(3, 4)});
 }
 
+TEST_CASE("oracle: a needle 2^-758 wide and 2^549 high, where CGAL's intervals overflow, is decided",
+          "[oracle]") {
+    check(asked({{{0, 0.5}, {1, -0.125}, {-0x1.05p-758, -0x1.fep+548}}}), {q(1, 5), q(4, 5)});
+    // As high, and right of the pixel's border by the least that doubles have.
+    check(asked({{{-0x1p1022, 0.5}, {0x1p1022, 0.5}, {0x1p-1074, -0x1p1022}}}), {q(1, 2), q(1, 2)});
+}
+
 TEST_CASE("oracle: parts that touch at a point, where CGAL's differences give up, are answered", "[oracle]") {
     const auto quarters = [](Ring ring) {
         for (Point& p : ring) p = {p.x / 4, p.y / 4};

@@ -90,6 +90,8 @@ class Generator {
                 return mixed();
             case Family::GridUlp:
                 return grid_ulp();
+            case Family::FarPowers:
+                return far_powers();
         }
     }
 
@@ -443,6 +445,23 @@ class Generator {
             std::rotate(ring.begin(), ring.begin() + random_.whole(0, static_cast<int>(ring.size()) - 1),
                         ring.end());
             return ring;
+        });
+    }
+
+    /// Needles and giants: the product of two coordinates is no double any more.
+    void far_powers() {
+        const auto coordinate = [&] {
+            if (random_.chance(0.5)) return random_.whole(-2, 10) / 8.0;
+            const double sign = random_.chance(0.5) ? -1 : 1;
+            return sign * std::ldexp(random_.between(1, 2), random_.whole(-1074, 1022));
+        };
+        repeat(2, 4, [&] {
+            Ring points;
+            for (int n = random_.whole(3, 4); n > 0; --n) {
+                const double x = coordinate();
+                points.push_back({x, coordinate()});
+            }
+            return hull(points);
         });
     }
 

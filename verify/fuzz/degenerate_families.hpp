@@ -35,9 +35,10 @@ enum class Family : std::uint8_t {
     Coplanar,          ///< depth planes that agree to an ulp, or wholly
     Mixed,             ///< polygons from several of the families above
     GridUlp,           ///< two or three polygons of a 3 x 3 or 4 x 4 grid, vertices moved by -1, 0 or +1 ulp
+    FarPowers,         ///< coordinates of any power of two that doubles have, beside usual ones
 };
 
-inline constexpr std::array<std::string_view, 24> kFamilyNames = {"random",
+inline constexpr std::array<std::string_view, 25> kFamilyNames = {"random",
                                                                   "grid8",
                                                                   "grid4",
                                                                   "fan",
@@ -60,7 +61,8 @@ inline constexpr std::array<std::string_view, 24> kFamilyNames = {"random",
                                                                   "interpenetrating",
                                                                   "coplanar",
                                                                   "mixed",
-                                                                  "grid-ulp"};
+                                                                  "grid-ulp",
+                                                                  "far-powers"};
 
 inline constexpr std::string_view name_of(Family family) {
     return kFamilyNames[static_cast<std::size_t>(family)];
