@@ -80,7 +80,8 @@ TEST_CASE("WorldFaces: corners and planes are those of the projection, but for i
             CHECK(mpq_class(p.x, p.w).get_d() == Approx(faces[i].outline[k].x).epsilon(1e-14));
             CHECK(mpq_class(p.y, p.w).get_d() == Approx(faces[i].outline[k].y).epsilon(1e-14));
         }
-        CHECK(face.c.get_d() + face.a.get_d() * 4 + face.b.get_d() * 4 == Approx(i == 0 ? 0.25 : 0.125));
+        const mpq_class in_middle(face.a * 4 + face.b * 4 + face.c, face.unit);
+        CHECK(in_middle.get_d() == Approx(i == 0 ? 0.25 : 0.125));
     }
 }
 
@@ -91,12 +92,15 @@ TEST_CASE("areas_by_rational_splitting: faces of fractions that are doubles give
     const FaceView doubles[] = {{0, triangle, tilted}, {1, square, level}};
     std::vector<oracle::RationalFace> fractions;
     for (const FaceView& face : doubles) {
-        oracle::RationalFace same{face.id, {}, face.depth.a, face.depth.b, face.depth.c};
+        const auto in_eighths = [](double value) { return mpz_class(8 * value); };
+        oracle::RationalFace same{
+            face.id, {}, in_eighths(face.depth.a), in_eighths(face.depth.b), in_eighths(face.depth.c), 8};
         for (const Point p : face.outline)
             same.outline.push_back({mpz_class(24 * p.x), mpz_class(24 * p.y), 24});
         fractions.push_back(same);
     }
+    const oracle::RationalFace* const asked[] = {&fractions[0], &fractions[1]};
     for (const PixelIndex pixel : {PixelIndex{0, 0}, PixelIndex{1, 0}, PixelIndex{0, 2}})
-        CHECK(oracle::areas_by_rational_splitting(pixel, fractions) ==
+        CHECK(oracle::areas_by_rational_splitting(pixel, asked) ==
               oracle::areas_by_rational_splitting(pixel, doubles, Nearness::ByDepth));
 }

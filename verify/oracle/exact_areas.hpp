@@ -27,12 +27,13 @@ struct ExactAreas {
 
 /// Proof, slowest rung: the visible region of each face by CGAL's Boolean set operations (Polygon_set_2 over
 /// EPECK), its area summed exactly. Where CGAL's operations fail, as CGAL 5.5's sometimes do where parts
-/// touch at a point, or do not add up to 1, `areas_by_arrangement` answers. Cost: some 15 ms for a pixel of 7
-/// faces.
+/// touch at a point, and where the product of some coordinates is no double, or do not add up to 1,
+/// `areas_by_arrangement` answers. Cost: some 15 ms for a pixel of 7 faces.
 ExactAreas areas_by_boolean_sets(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
 /// Proof by a third method of CGAL's, which answers where the Boolean set operations give up: one arrangement
-/// of all segments, each of whose faces is seen whole.
+/// of all segments, each of whose faces is seen whole. Over fractions without a floating-point filter before
+/// them, so that no coordinate is too large or too small. Cost: some 40 ms.
 ExactAreas areas_by_arrangement(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
 
 /// Proof by another method: convex splitting of point lists in rational arithmetic. Throws std::logic_error
@@ -45,15 +46,16 @@ struct RationalPoint {
     mpz_class x, y, w;
 };
 
-/// A face whose outline and depth plane are fractions, as no double could state them.
+/// A face whose outline and depth plane w(x, y) = (a x + b y + c) / unit, unit > 0, are fractions, as no
+/// double could state them.
 struct RationalFace {
     FaceId id = 0;
     std::vector<RationalPoint> outline;
-    mpq_class a, b, c;
+    mpz_class a, b, c, unit = 1;
 };
 
 /// The same of such faces, ByDepth.
-ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const RationalFace> faces);
+ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const RationalFace* const> faces);
 
 /// An area that is certainly within [value - error, value + error].
 struct CertifiedArea {

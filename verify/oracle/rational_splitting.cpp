@@ -53,7 +53,7 @@ using SortedCorners = std::vector<const RationalCorner*>;
 class Splitting {
   public:
     ExactAreas areas(PixelIndex pixel, std::span<const FaceView> faces, Nearness nearness);
-    ExactAreas areas(PixelIndex pixel, std::span<const RationalFace> faces);
+    ExactAreas areas(PixelIndex pixel, std::span<const RationalFace* const> faces);
 
   private:
     void start(PixelIndex pixel, std::size_t faces, int unit_bits);
@@ -85,7 +85,7 @@ class Splitting {
 
     PixelIndex pixel_;
     std::span<const FaceView> faces_;
-    std::span<const RationalFace> rational_faces_;  ///< instead of `faces_`
+    std::span<const RationalFace* const> rational_faces_;  ///< instead of `faces_`
     Nearness nearness_ = Nearness::InOrder;
     std::vector<FaceId> ids_;
     RationalLines lines_;
@@ -135,12 +135,12 @@ ExactAreas Splitting::areas(PixelIndex pixel, std::span<const FaceView> faces, N
     return areas();
 }
 
-ExactAreas Splitting::areas(PixelIndex pixel, std::span<const RationalFace> faces) {
+ExactAreas Splitting::areas(PixelIndex pixel, std::span<const RationalFace* const> faces) {
     faces_ = {};
     rational_faces_ = faces;
     nearness_ = Nearness::ByDepth;
     start(pixel, faces.size(), 0);
-    for (const RationalFace& face : faces) add_face(face.id, sorted(face.outline));
+    for (const RationalFace* face : faces) add_face(face->id, sorted(face->outline));
     return areas();
 }
 
@@ -269,17 +269,10 @@ void Splitting::set_difference(const DepthPlane& u, const DepthPlane& v) {
 }
 
 void Splitting::set_difference(const RationalFace& u, const RationalFace& v) {
-    const mpq_class a = u.a - v.a, b = u.b - v.b;
-    const mpq_class c = u.c - v.c + a * pixel_.x + b * pixel_.y;
-    mpz_class common;
-    mpz_lcm(common.get_mpz_t(), a.get_den_mpz_t(), b.get_den_mpz_t());
-    mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), c.get_den_mpz_t());
-    const auto whole = [&](const mpq_class& value) -> mpz_class {
-        return value.get_num() * (common / value.get_den());
-    };
-    a_ = whole(a);
-    b_ = whole(b);
-    c_ = whole(c);
+    a_ = u.a * v.unit - v.a * u.unit;
+    b_ = u.b * v.unit - v.b * u.unit;
+    c_ = u.c * v.unit - v.c * u.unit;
+    c_ += a_ * pixel_.x + b_ * pixel_.y;
 }
 
 /// The part of face `other` in the pixel where it is nearer than face `face`. It lasts until the next call.
@@ -293,7 +286,7 @@ const ConvexPolygon& Splitting::where_nearer(std::size_t other, std::size_t face
         if (rational_faces_.empty())
             set_difference(faces_[first].depth, faces_[second].depth);
         else
-            set_difference(rational_faces_[first], rational_faces_[second]);
+            set_difference(*rational_faces_[first], *rational_faces_[second]);
         if (a_ != 0 || b_ != 0)
             depth.line = lines_.line_of(a_, b_, c_);
         else
@@ -382,8 +375,8 @@ std::vector<std::size_t> Splitting::likely_hiding() const {
     std::vector<double> in_middle;
     for (const auto& [id, outline, depth] : faces_)
         in_middle.push_back(depth.a * (pixel_.x + 0.5) + depth.b * (pixel_.y + 0.5) + depth.c);
-    for (const RationalFace& face : rational_faces_)
-        in_middle.push_back(mpq_class(face.a * pixel_.x + face.b * pixel_.y + face.c).get_d());
+    for (const RationalFace* face : rational_faces_)
+        in_middle.push_back(mpq_class(face->a * pixel_.x + face->b * pixel_.y + face->c, face->unit).get_d());
     std::ranges::stable_sort(order, std::greater<>(),
                              [&](std::size_t i) { return std::isnan(in_middle[i]) ? 0 : in_middle[i]; });
     return order;
@@ -424,7 +417,7 @@ ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const FaceVie
     return splitting_of_this_thread().areas(pixel, faces, nearness);
 }
 
-ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const RationalFace> faces) {
+ExactAreas areas_by_rational_splitting(PixelIndex pixel, std::span<const RationalFace* const> faces) {
     return splitting_of_this_thread().areas(pixel, faces);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "crosscheck/certain_hiding.hpp"
@@ -54,6 +55,15 @@ oracle::RationalPoint image_point(const Camera& camera, const ExactCameraPoint& 
     return point;
 }
 
+/// With the depth plane w(x, y) = a x + b y + c.
+void set_plane(oracle::RationalFace& face, const mpq_class& a, const mpq_class& b, const mpq_class& c) {
+    mpz_lcm(face.unit.get_mpz_t(), a.get_den_mpz_t(), b.get_den_mpz_t());
+    mpz_lcm(face.unit.get_mpz_t(), face.unit.get_mpz_t(), c.get_den_mpz_t());
+    face.a = a.get_num() * (face.unit / a.get_den());
+    face.b = b.get_num() * (face.unit / b.get_den());
+    face.c = c.get_num() * (face.unit / c.get_den());
+}
+
 /// Nothing for a plane through the eye, or seen edge-on.
 std::optional<oracle::RationalFace> plane_of(const std::vector<ExactCameraPoint>& corners,
                                              const Camera& camera) {
@@ -67,16 +77,17 @@ std::optional<oracle::RationalFace> plane_of(const std::vector<ExactCameraPoint>
     if (camera.kind == Camera::Kind::Perspective) {
         const mpq_class distance = normal.u * mean.u + normal.v * mean.v + normal.depth * mean.depth;
         if (distance == 0) return std::nullopt;
-        face.a = normal.u / (camera.focal_px * distance);
-        face.b = normal.v / (camera.focal_px * distance);
-        face.c = normal.depth / distance - face.a * camera.centre_x - face.b * camera.centre_y;
+        const mpq_class a = normal.u / (camera.focal_px * distance);
+        const mpq_class b = normal.v / (camera.focal_px * distance);
+        set_plane(face, a, b, normal.depth / distance - a * camera.centre_x - b * camera.centre_y);
         return face;
     }
     if (normal.depth == 0) return std::nullopt;
-    face.a = normal.u / (camera.focal_px * normal.depth);
-    face.b = normal.v / (camera.focal_px * normal.depth);
-    face.c = -mean.depth - face.a * (camera.centre_x + camera.focal_px * mean.u) -
-             face.b * (camera.centre_y + camera.focal_px * mean.v);
+    const mpq_class a = normal.u / (camera.focal_px * normal.depth);
+    const mpq_class b = normal.v / (camera.focal_px * normal.depth);
+    set_plane(face, a, b,
+              -mean.depth - a * (camera.centre_x + camera.focal_px * mean.u) -
+                  b * (camera.centre_y + camera.focal_px * mean.v));
     return face;
 }
 
@@ -125,7 +136,7 @@ oracle::RationalFace WorldFaces::operator[](std::size_t position) const {
     std::optional<oracle::RationalFace> face = plane_of(corners, camera_);
     if (!face) {  // as the projection does it, by the mean nearness: rounding made it visible
         face.emplace();
-        face->c = projected_.plane[position].c;
+        set_plane(*face, 0, 0, projected_.plane[position].c);
     }
     face->id = id;
     const mpq_class near = camera_.near_m;
@@ -161,6 +172,7 @@ WorldSummary rounding_of_projection(const ProjectedFaces& projected, const Geome
             around.push_back(bins.row(beside));
         const crosscheck::FaceBins::Row own = bins.row(y);
         crosscheck::CertainHiding::Remaining remaining;
+        std::unordered_map<std::uint32_t, oracle::RationalFace> of_row;  // each is in question in many pixels
         for (int x = 0; x < size.width; ++x) {
             const PixelIndex pixel{x, y};
             if (crosscheck::draw_of(seed, pixel) % one_in != 0) continue;
@@ -174,11 +186,13 @@ WorldSummary rounding_of_projection(const ProjectedFaces& projected, const Geome
             asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
 
             std::vector<FaceView> doubles;
-            std::vector<oracle::RationalFace> exact;
+            std::vector<const oracle::RationalFace*> exact;
             std::vector<std::size_t> objects;
             for (const std::uint32_t face : asked) {
                 doubles.push_back(projected[face]);
-                exact.push_back(world[face]);
+                const auto [known, is_new] = of_row.try_emplace(face);
+                if (is_new) known->second = world[face];
+                exact.push_back(&known->second);
                 objects.push_back(object_of(projected.id[face], geometry));
             }
             const Difference found = largest_difference(
