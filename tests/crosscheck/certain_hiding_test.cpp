@@ -8,18 +8,12 @@
 
 #include "crosscheck/face_bins.hpp"
 #include "oracle/exact_areas.hpp"
+#include "small_picture.hpp"
 
 using namespace keikan;
 using namespace keikan::crosscheck;
 
 namespace {
-
-void add_face(ProjectedFaces& faces, const Ring& outline, DepthPlane plane) {
-    faces.points.insert(faces.points.end(), outline.begin(), outline.end());
-    faces.begin.push_back(static_cast<std::uint32_t>(faces.points.size()));
-    faces.id.push_back(static_cast<FaceId>(faces.id.size()));
-    faces.plane.push_back(plane);
-}
 
 /// Triangles and quads of every size about the pixels near `origin`, some with corners on the pixels' grid,
 /// and planes that are often equal or cross.

@@ -6,14 +6,14 @@
 #include "keikan/clip/visible_areas.hpp"
 
 namespace keikan {
-namespace {
-
 void add_face(ProjectedFaces& faces, const Ring& outline, DepthPlane plane) {
     faces.points.insert(faces.points.end(), outline.begin(), outline.end());
     faces.begin.push_back(static_cast<std::uint32_t>(faces.points.size()));
     faces.id.push_back(static_cast<FaceId>(faces.id.size()));
     faces.plane.push_back(plane);
 }
+
+namespace {
 
 Object object_of(std::size_t faces, std::uint16_t material) {
     Object object;

@@ -8,6 +8,9 @@
 
 namespace keikan {
 
+/// Adds a face with this outline in the image and this plane.
+void add_face(ProjectedFaces& faces, const Ring& outline, DepthPlane plane);
+
 /// A picture of 8 x 6 pixels with everything in it that a comparison must see: a face that covers pixels
 /// whole, one in front of it, a wire, two faces through each other, a hidden face, and sky in the upper row.
 struct SmallPicture {

@@ -119,5 +119,8 @@ TEST_CASE("keikan-verify truth: what it cannot do it says in one line, and write
     refused("--layers " + good + " --window 0,0,0,1 --size 2x2" + exr, "no area");
     refused("--layers " + good + " --window 0,0,1,1" + exr, "--size");
     refused("--layers " + good + ".txt --window 0,0,1,1 --size 2x2" + exr, "good.wkt.txt");
+    write(folder / "needle.wkt", "POLYGON ((0 0.5, 1 -0.125, -6.7e-229 -1.8e165, 0 0.5))");
+    refused("--layers " + (folder / "needle.wkt").string() + " --window 0,0,1,1 --size 2x2" + exr,
+            "undecided");
     CHECK_FALSE(std::filesystem::exists(folder / "a.exr"));
 }

@@ -46,10 +46,11 @@ struct PeersCommand {
 
 using NextCase = std::function<std::optional<PixelCase>()>;
 
-/// The pixels of the others are nothing special without depth planes, which no library knows.
-bool is_hard_without_depth(fuzz::Family family) {
+/// The pixels of the others are nothing special without depth planes, which no library knows, or once they
+/// are cut to the pixel.
+bool is_hard_for_others(fuzz::Family family) {
     using enum fuzz::Family;
-    return family != Cyclic && family != Interpenetrating && family != Coplanar;
+    return family != Cyclic && family != Interpenetrating && family != Coplanar && family != FarPowers;
 }
 
 /// Families take turns. Their polygons are taken as listed, nearest first, without depth planes.
@@ -113,9 +114,8 @@ Contest held(const PeersCommand& command, const std::vector<Contestant>& contest
              const CommonOptions& common) {
     if (!command.file.empty()) return contest(cases_of_file(command.file), contestants);
     Progress progress("asking", command.count * contestants.size(), !common.quiet);
-    return contest(
-        made_cases(families_of(command.families, is_hard_without_depth), command.count, common.seed),
-        contestants, [&](std::size_t asked) { progress.advance(asked); });
+    return contest(made_cases(families_of(command.families, is_hard_for_others), command.count, common.seed),
+                   contestants, [&](std::size_t asked) { progress.advance(asked); });
 }
 
 std::string summary_json(const Contest& contest, const CommonOptions& common, double seconds) {

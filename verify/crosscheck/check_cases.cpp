@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "check_contacts.hpp"
 #include "keikan/cases/pixel_case_file.hpp"
 #include "keikan/clip/visible_areas.hpp"
 #include "keikan/support/parallel.hpp"
@@ -14,34 +13,37 @@ namespace {
 
 constexpr std::size_t kCasesAtOnce = 512;
 
-/// One of each kind for a thread, or for a run of cases.
-struct Working {
-    explicit Working(const CaseCheckOptions& options) : product(options.engine), contacts(options.kinds) {}
-    VisibleAreas product;
-    PixelComparison compare;
-    ContactCheck contacts;
-};
-
-PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options,
-                        Working& working) {
-    const std::vector<FaceView> faces = pixel_case.faces();
-    const Question question{pixel_case.pixel, faces, pixel_case.nearness()};
+/// What case number `index` of a file is due.
+Proofs proofs_of(std::uint64_t index, const CaseCheckOptions& options) {
     const std::uint64_t draw = draw_of(options.seed, index);
     const bool all = index < options.all_rungs_for_first;
     // The published clipper is known to be wrong: rational splitting confirms it at a hundredth of the cost.
     const bool known_wrong = options.engine == Engine::Published;
-    const Proofs proofs{.rational = all || draw % options.rational_one_in == 0,
-                        .boolean_sets = !known_wrong && (all || draw % options.boolean_sets_one_in == 0),
-                        .on_disagreement = known_wrong ? Proofs::OnDisagreement::Rational
-                                                       : Proofs::OnDisagreement::BooleanSets};
+    return {.rational = all || draw % options.rational_one_in == 0,
+            .boolean_sets = !known_wrong && (all || draw % options.boolean_sets_one_in == 0),
+            .on_disagreement =
+                known_wrong ? Proofs::OnDisagreement::Rational : Proofs::OnDisagreement::BooleanSets};
+}
+
+}  // namespace
+
+CaseCheck::CaseCheck(const CaseCheckOptions& options)
+    : engine_(options.engine),
+      with_contacts_(options.contacts),
+      product_(options.engine),
+      contacts_(options.kinds) {}
+
+PixelVerdict CaseCheck::operator()(const PixelCase& pixel_case, const Proofs& proofs) {
+    const std::vector<FaceView> faces = pixel_case.faces();
+    const Question question{pixel_case.pixel, faces, pixel_case.nearness()};
     std::vector<Disagreement> faults;
     PixelVerdict of_contacts;
     std::vector<Claim> claims;
-    claims.push_back(claim_of(working.product(question.pixel, faces, question.nearness), faces.size(),
-                              question.pixel, faults));
-    if (options.contacts) {
-        const PixelCoverage traversal = working.contacts(question, of_contacts, proofs.rational);
-        if (options.engine == Engine::Splitting) {
+    claims.push_back(
+        claim_of(product_(question.pixel, faces, question.nearness), faces.size(), question.pixel, faults));
+    if (with_contacts_) {
+        const PixelCoverage traversal = contacts_(question, of_contacts, proofs.rational);
+        if (engine_ == Engine::Splitting) {
             claims.push_back(claim_of(traversal, faces.size(), question.pixel, faults));
             claims.back().by = "by the traversal";
         }
@@ -50,7 +52,7 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
     if (pixel_case.areas) given.areas = *pixel_case.areas;
     if (pixel_case.background) given.background = &*pixel_case.background;
     const bool answered = pixel_case.areas || pixel_case.background;
-    PixelVerdict verdict = working.compare(question, claims, proofs, answered ? &given : nullptr);
+    PixelVerdict verdict = compare_(question, claims, proofs, answered ? &given : nullptr);
     verdict.contacts = of_contacts.contacts;
     verdict.kinds = of_contacts.kinds;
     verdict.disagreements.insert(verdict.disagreements.begin(), faults.begin(), faults.end());
@@ -60,11 +62,8 @@ PixelVerdict verdict_of(const PixelCase& pixel_case, std::uint64_t index, const 
     return verdict;
 }
 
-}  // namespace
-
 PixelVerdict check_case(const PixelCase& pixel_case, std::uint64_t index, const CaseCheckOptions& options) {
-    Working working(options);
-    return verdict_of(pixel_case, index, options, working);
+    return CaseCheck(options)(pixel_case, proofs_of(index, options));
 }
 
 CheckSummary check_cases(std::istream& in, const std::string& name, const CaseCheckOptions& options) {
@@ -86,9 +85,9 @@ CheckSummary check_cases(const std::function<std::optional<PixelCase>()>& next,
                 break;
         std::vector<PixelVerdict> verdicts(cases.size());
         parallel_ranges(cases.size(), 8, [&](std::size_t begin, std::size_t end) {
-            Working working(options);
+            CaseCheck check(options);
             for (std::size_t i = begin; i < end; ++i)
-                verdicts[i] = verdict_of(cases[i], first + i, options, working);
+                verdicts[i] = check(cases[i], proofs_of(first + i, options));
         });
         for (std::size_t i = 0; i < cases.size(); ++i) {
             summary.add(verdicts[i], cases[i].pixel, cases[i].id, cases[i].polygons.size());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "check_contacts.hpp"
 #include "check_summary.hpp"
 #include "keikan/clip/visible_areas.hpp"
 #include "keikan/model/pixel_case.hpp"
@@ -23,6 +24,24 @@ struct CaseCheckOptions {
     std::uint64_t all_rungs_for_first = 256;
     std::uint64_t rational_one_in = 16;
     std::uint64_t boolean_sets_one_in = 128;
+};
+
+/// Puts one pixel case after the other to VisibleAreas and to the oracle, and holds both to the answers that
+/// a case states. One object a thread.
+class CaseCheck {
+  public:
+    /// Of the options: engine, contacts and kinds.
+    explicit CaseCheck(const CaseCheckOptions& options);
+
+    /// Contacts are put to CGAL's constructions too where `proofs` wants rational splitting.
+    PixelVerdict operator()(const PixelCase& pixel_case, const Proofs& proofs);
+
+  private:
+    Engine engine_;
+    bool with_contacts_;
+    VisibleAreas product_;
+    PixelComparison compare_;
+    ContactCheck contacts_;
 };
 
 /// Puts each pixel case of the stream to VisibleAreas and to the oracle, and holds both to the answers that

@@ -6,6 +6,7 @@
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/exceptions.h>
 
 #include <algorithm>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "keikan/support/check.hpp"
+#include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
 #include "rounding.hpp"
 
@@ -295,6 +297,17 @@ std::vector<ExactShare> row_shares(std::vector<Event>& events, int width) {
     return all;
 }
 
+/// Errors: InputError where CGAL's intervals overflow (oracle/boolean_sets.cpp says how), which no map does.
+std::vector<BorderPiece> borders_of(std::span<const Layer> layers, const ToPixels& to_pixels) {
+    try {
+        return Overlay(layers, to_pixels).borders();
+    } catch (const CGAL::Failure_exception&) {
+        throw InputError(
+            "layers: undecided: coordinates so many powers of two apart that CGAL's intervals "
+            "overflow");
+    }
+}
+
 }  // namespace
 
 CoveragePicture layer_coverage(
@@ -304,7 +317,7 @@ CoveragePicture layer_coverage(
     CoveragePicture picture{size, {}, {}, {}};
     for (const Layer& layer : layers) picture.mattes.push_back(layer.name);
     RowEvents events(size);
-    for (const BorderPiece& piece : Overlay(layers, ToPixels(window, size)).borders()) events.add(piece);
+    for (const BorderPiece& piece : borders_of(layers, ToPixels(window, size))) events.add(piece);
 
     const auto rows = static_cast<std::size_t>(size.height);
     const auto slots = 4 * static_cast<std::size_t>(thread_count());

@@ -42,7 +42,8 @@ struct Window {
 ///   pixels, exactly. (3) The same for any number of threads.
 /// `exact`, if given, is told every coverage that is not 0, by rising row, column and layer, the background
 /// (Share::kBackground) last.
-/// Errors: CheckFailure if (1) does not hold, which would be a mistake of ours.
+/// Errors: CheckFailure if (1) does not hold, which would be a mistake of ours. InputError where coordinates
+/// are so many powers of two apart that the product of four of them is no double, and CGAL gives up.
 CoveragePicture layer_coverage(
     std::span<const Layer> layers, const Window& window, ImageSize size,
     const std::function<void(PixelIndex, std::uint32_t layer, const mpq_class&)>& exact = nullptr);
