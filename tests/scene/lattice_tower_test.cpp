@@ -37,7 +37,49 @@ void check_solid(const Mesh& mesh) {
     CHECK(*std::min_element(volumes.begin(), volumes.end()) > 0);
 }
 
+/// How many edges of the mesh cross the height z within `reach` of a point, seen from above.
+int edges_across(const Mesh& mesh, glm::dvec3 near, double reach) {
+    int count = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto corners = mesh.face(f);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const glm::dvec3 p = mesh.positions[corners[i]],
+                             q = mesh.positions[corners[i + 1 < corners.size() ? i + 1 : 0]];
+            if (!(p.z < near.z && near.z <= q.z)) continue;  // upwards: of two faces with the edge, in one
+            const glm::dvec3 at = p + (near.z - p.z) / (q.z - p.z) * (q - p);
+            count += std::abs(at.x - near.x) <= reach && std::abs(at.y - near.y) <= reach;
+        }
+    }
+    return count;
+}
+
 }  // namespace
+
+TEST_CASE("lattice_tower: between two levels each leg is one piece, and stands where it should",
+          "[scene][tower]") {
+    const TowerDesign design;
+    const TowerShape shape(design);
+    const Mesh mesh = tower_of(design, {.detail = TowerDetail::Primary}).steel.mesh;
+    const double reach = 1.2 * design.leg_width_base_m;
+    int held = 0;
+    const auto holds = [&](double low, double high) {
+        if (shape.half_width(high) < 2 * reach) return;  // at the peak the legs come together
+        ++held;
+        for (int leg = 0; leg < 4; ++leg) {
+            // A quarter of the way up diagonals are far from the legs. A box has four edges along it.
+            const glm::dvec3 place = shape.node(leg, low + (high - low) / 4);
+            INFO("leg " << leg << " from " << low << " to " << high);
+            CHECK(edges_across(mesh, place, reach) == 4);
+        }
+    };
+    for (std::size_t i = 1; i < shape.leg_levels().size(); ++i) {
+        const double a = shape.leg_levels()[i - 1], b = shape.leg_levels()[i];
+        holds(std::min(a, b), std::max(a, b));
+    }
+    for (std::size_t i = 1; i < shape.cage_levels().size(); ++i)
+        holds(shape.cage_levels()[i - 1], shape.cage_levels()[i]);
+    CHECK(held >= 12);
+}
 
 TEST_CASE("lattice_tower: every member is a closed, convex-faced, planar solid that looks outwards",
           "[scene][tower]") {
