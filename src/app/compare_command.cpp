@@ -27,7 +27,7 @@ constexpr const char* kAllMethods =
     "kato,kato:paper,none,multiscan:4,multiscan:11,orthogonal:4,catmull,grid:16,random:16";
 
 struct CompareCommand {
-    std::string scene, folder, size, methods = kAllMethods, reference, inset;
+    std::string scene, folder, size, methods = kAllMethods, reference, inset, shadows;
     int repeat = 3, search_to = 4096, frames = 0, reference_samples = 512;
     double step_m = 0.05;
     WaterChoice water;
@@ -85,8 +85,10 @@ void compare_scene(const CompareCommand& command, const CommonOptions& common) {
     options.water = water_options(command.water);
     options.reference_samples = command.reference_samples;
     options.search_to = command.search_to;
+    const std::optional<Shadows> shadows = shadows_of(command.shadows);
     const ThreadLimit threads(common.threads);
-    const Scene scene = read_scene(command.scene, picture_size(command.size));
+    Scene scene = read_scene(command.scene, picture_size(command.size));
+    if (shadows) scene.light.shadows = *shadows;
     compare::ReportOptions report;
     if (!command.inset.empty()) report.inset = pixel_of(command.inset, scene.camera.size, "--inset");
     if (!command.reference.empty())
@@ -149,6 +151,8 @@ void add_compare_command(CLI::App& app, const CommonOptions& common) {
         "--inset", command->inset,
         "X,Y: upper left corner of the part that is enlarged (default: where most conductors are)");
     add_water_options(*sub, command->water);
+    sub->add_option("--shadows", command->shadows,
+                    "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
     sub->callback([command, &common] { compare_scene(*command, common); });
 }
 

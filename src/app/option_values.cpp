@@ -45,6 +45,14 @@ PixelIndex pixel_of(const std::string& text, ImageSize size, const std::string& 
     return {x, y};
 }
 
+std::optional<Shadows> shadows_of(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    if (text == "off") return Shadows::Off;
+    if (text == "hard") return Shadows::Hard;
+    if (text == "soft") return Shadows::Soft;
+    throw InputError("--shadows: '" + text + "' is none of off, hard, soft");
+}
+
 Extraction extraction_of(const std::string& text) {
     if (text == "outline") return Extraction::Outline;
     if (text == "paper") return Extraction::Paper;

@@ -6,6 +6,7 @@
 #include "keikan/clip/visible_areas.hpp"
 #include "keikan/model/pixel.hpp"
 #include "keikan/scan/scan_scene.hpp"
+#include "keikan/scene/material.hpp"
 
 namespace keikan {
 
@@ -15,6 +16,9 @@ std::optional<ImageSize> picture_size(const std::string& text);
 
 /// "412,77" as a pixel of a picture of this size. Errors: InputError.
 PixelIndex pixel_of(const std::string& text, ImageSize size, const std::string& option = "--at");
+
+/// "off", "hard" or "soft"; nothing for an empty text (the scene decides). Errors: InputError.
+std::optional<Shadows> shadows_of(const std::string& text);
 
 /// "outline" or "paper". Errors: InputError.
 Extraction extraction_of(const std::string& text);

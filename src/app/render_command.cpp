@@ -26,7 +26,7 @@ baseline::Method method_option(const std::string& text) {
 }
 
 struct RenderCommand {
-    std::string scene, size, method = "kato", extract = "outline", engine = "splitting", stats;
+    std::string scene, size, method = "kato", extract = "outline", engine = "splitting", shadows, stats;
     WaterChoice water;
     OutputOptions output;
 };
@@ -34,10 +34,12 @@ struct RenderCommand {
 void render(const RenderCommand& command, const CommonOptions& common) {
     const baseline::Method method = method_option(command.method);
     require_writable(command.output);
+    const std::optional<Shadows> shadows = shadows_of(command.shadows);
     const ThreadLimit threads(common.threads);
     StageClock clock;
 
-    const Scene scene = read_scene(command.scene, picture_size(command.size));
+    Scene scene = read_scene(command.scene, picture_size(command.size));
+    if (shadows) scene.light.shadows = *shadows;
     clock.ended("read");
     const Geometry geometry = build_geometry(scene);
     clock.ended("build");
@@ -83,6 +85,8 @@ void add_render_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
     add_water_options(*sub, command->water);
+    sub->add_option("--shadows", command->shadows,
+                    "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
     sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
         ->capture_default_str();
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")

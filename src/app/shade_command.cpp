@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "keikan/support/parallel.hpp"
 #include "keikan/support/progress.hpp"
+#include "option_values.hpp"
 #include "output_picture.hpp"
 #include "run_statistics.hpp"
 #include "water_choice.hpp"
@@ -14,19 +15,21 @@ namespace keikan {
 namespace {
 
 struct ShadeCommand {
-    std::string scan, scene, stats;
+    std::string scan, scene, shadows, stats;
     WaterChoice water;
     OutputOptions output;
 };
 
 void shade(const ShadeCommand& command, const CommonOptions& common) {
     require_writable(command.output);
+    const std::optional<Shadows> shadows = shadows_of(command.shadows);
     const ThreadLimit threads(common.threads);
     StageClock clock;
 
     // The scan decides the size: a scene scanned with --size is shaded without repeating it.
     const ImageSize size = ScanFileReader(command.scan).header().size;
-    const Scene scene = read_scene(command.scene, size);
+    Scene scene = read_scene(command.scene, size);
+    if (shadows) scene.light.shadows = *shadows;
     clock.ended("read");
     Progress progress("shading", static_cast<std::size_t>(size.height), !common.quiet);
     RenderOptions options;
@@ -56,6 +59,8 @@ void add_shade_command(CLI::App& app, const CommonOptions& common) {
                     "Picture: .png, .exr, or - for PNG on standard output")
         ->required();
     add_water_options(*sub, command->water);
+    sub->add_option("--shadows", command->shadows,
+                    "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

@@ -6,7 +6,7 @@
 
 #include "keikan/render/shade.hpp"
 #include "keikan/support/parallel.hpp"
-#include "water_pixels.hpp"
+#include "water_painter.hpp"
 
 namespace keikan {
 
@@ -47,11 +47,11 @@ RenderedPicture render_bands(const Scene& scene, const Geometry& geometry, const
     std::optional<WaterPixels> water;
     std::optional<WaterPainter> painter;
     std::optional<SceneRays> rays;
-    if (scene.light.shadows) rays.emplace(scene, geometry);
+    if (scene.light.shadows != Shadows::Off) rays.emplace(scene, geometry);
     if (options.water.mode != WaterMode::Flat && has_water_surfaces(scene)) {
         water.emplace(water_of, true);
         if (!rays) rays.emplace(scene, geometry);
-        painter.emplace(scene, *rays, faces, options.water);
+        painter.emplace(scene, geometry, *rays, faces, options.water);
     }
     const auto bands = static_cast<std::size_t>((size.height + kBandRows - 1) / kBandRows);
     const auto threads = static_cast<std::size_t>(thread_count());

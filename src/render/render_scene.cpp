@@ -10,7 +10,7 @@
 #include "keikan/scan/projected_faces.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
-#include "water_pixels.hpp"
+#include "water_painter.hpp"
 
 namespace keikan {
 
@@ -50,7 +50,7 @@ bool draws_water(const Scene& scene, const RenderOptions& options) {
 }
 
 bool needs_rays(const Scene& scene, const RenderOptions& options) {
-    return scene.light.shadows || draws_water(scene, options);
+    return scene.light.shadows != Shadows::Off || draws_water(scene, options);
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ RenderedPicture render_scene(const Scene& scene, const Geometry& geometry, const
     });
     picture.scan.seconds_project += seconds_project;
     if (water)
-        picture.water = paint_water(std::span(&*water, 1), scene, *rays, faces, options.water, picture.image,
-                                    options.extra ? &picture.extra.water_samples : nullptr);
+        picture.water = paint_water(std::span(&*water, 1), scene, geometry, *rays, faces, options.water,
+                                    picture.image, options.extra ? &picture.extra.water_samples : nullptr);
     return picture;
 }
 
@@ -99,7 +99,7 @@ RenderedPicture shade_scan_file(const std::filesystem::path& file, const Scene& 
     std::vector<WaterPixels> water(scan.band_count(), WaterPixels(water_of_objects(scene, geometry)));
     parallel_for(scan.band_count(),
                  [&](std::size_t i) { paint(scan.band(i), scene, options, picture, &water[i], &rays); });
-    picture.water = paint_water(water, scene, rays, faces, options.water, picture.image,
+    picture.water = paint_water(water, scene, geometry, rays, faces, options.water, picture.image,
                                 options.extra ? &picture.extra.water_samples : nullptr);
     return picture;
 }

@@ -57,14 +57,15 @@ float SceneRays::sun_share(std::span<const glm::dvec3> points, const glm::dvec3&
     constexpr std::size_t kTogether = 16;  // on the stack
     std::array<FaceRay, kTogether> rays;
     std::array<std::uint8_t, kTogether> hidden;
-    const glm::dvec3& to_sun = light_->scene.light.to_sun;
+    const auto& light = light_->scene.light;
     std::size_t seen = 0;
     for (std::size_t begin = 0; begin < points.size(); begin += kTogether) {
         const std::size_t count = std::min(kTogether, points.size() - begin);
         for (std::size_t i = 0; i < count; ++i) {
             const Point u = shuffled_sobol(static_cast<std::uint32_t>(begin + i), key);
-            rays[i] =
-                light_->faces.towards_light(points[begin + i], flat_normal, on_sun_disc(to_sun, u.x, u.y));
+            rays[i] = light_->faces.towards_light(
+                points[begin + i], flat_normal,
+                light.shadows == Shadows::Hard ? light.to_sun : on_sun_disc(light.to_sun, u.x, u.y));
         }
         light_->faces.any_hits(std::span(rays).first(count), std::span(hidden).first(count));
         seen += static_cast<std::size_t>(

@@ -164,7 +164,7 @@ void shade_band(const ScanBand& band, const Scene& scene, Image<Rgb>& image, Ext
     for (const SeenFace& face : band.faces)
         KEIKAN_CHECK(face.material < scene.materials.size(), "face " << face.id << " has no material");
     const PointShader shader(scene);
-    const SunShade shade(shader, scene.camera, scene.light.shadows ? rays : nullptr);
+    const SunShade shade(shader, scene.camera, scene.light.shadows != Shadows::Off ? rays : nullptr);
     for (int row = 0; row < band.rows; ++row) {
         const auto r = static_cast<std::size_t>(row);
         RowPainter painter(band, shader, shade, image, extra, water, band.first_row + row);

@@ -44,6 +44,8 @@ SobolGain::Note SobolGain::note(PixelIndex pixel, const std::vector<Rgb>& sample
         const double codes = codes_per_light(all.mean(c));
         note.of_blocks += static_cast<double>(kBlock) * means.variance(c) * codes * codes;
         note.of_samples += all.variance(c) * codes * codes;
+        note.mean[c] = all.mean(c);
+        note.variance[c] = all.variance(c);
     }
     return note;
 }
@@ -67,10 +69,6 @@ void SobolGain::settle(const std::vector<Note>& notes) {
         exponent_[t] =
             std::log(std::clamp(share, kLeastShare, kMostShare)) / std::log(static_cast<double>(kBlock));
     }
-}
-
-double SobolGain::variance_share(PixelIndex pixel, std::size_t count) const {
-    return std::max(kLeastShare, std::pow(static_cast<double>(count), exponent_[tile(pixel)]));
 }
 
 }  // namespace keikan

@@ -29,15 +29,16 @@ class SobolGain {
         PixelIndex pixel;
         double of_blocks = 0;   ///< kBlock times the variance of the blocks' means
         double of_samples = 0;  ///< variance of the samples
+        double mean[3] = {0, 0, 0}, variance[3] = {0, 0, 0};  ///< of the samples, in linear light
     };
     static Note note(PixelIndex pixel, const std::vector<Rgb>& samples);
 
     /// Takes all notes, in this order.
     void settle(const std::vector<Note>& notes);
 
-    /// The variance of the mean of `count` of Sobol's points beside that of as many independent ones: a power
-    /// of the count, 1 for one point and as measured for kBlock.
-    double variance_share(PixelIndex pixel, std::size_t count) const;
+    /// The variance of the mean of n of Sobol's points in this part of the picture is n^exponent of that of
+    /// as many independent ones: 1 for one point and as measured for kBlock. At most 0.
+    double exponent(PixelIndex pixel) const { return exponent_[tile(pixel)]; }
 
   private:
     std::size_t tile(PixelIndex p) const;

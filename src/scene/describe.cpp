@@ -68,7 +68,7 @@ std::string describe(const Scene& scene, const Geometry& geometry) {
     text += fmt::format("sky        {}, {}, {}\n",
                         scene.background.model == SkyModel::CieClear ? "CIE clear" : "gradient",
                         scene.background.sun_disc ? "sun's disc seen" : "no sun's disc",
-                        scene.light.shadows ? "shadows of the sun's disc" : "no shadows");
+                        scene.light.shadows != Shadows::Off ? "shadows of the sun's disc" : "no shadows");
     text += fmt::format("haze       {}\n", scene.haze.range_m > 0
                                                ? fmt::format("range {:g} m", scene.haze.range_m)
                                                : std::string("none"));

@@ -132,7 +132,7 @@ Light read_light(const JsonNode& node) {
         JsonObject sun(*node_of_sun);
         light.to_sun = to_sun(sun);
         light.sun = sun.colour_or("colour", light.sun);
-        light.shadows = sun.boolean_or("shadows", false);
+        light.shadows = sun.boolean_or("shadows", false) ? Shadows::Soft : Shadows::Off;
         sun.no_other_keys();
     }
     light.sky_ambient = object.colour_or("sky_ambient", light.sky_ambient);

@@ -300,15 +300,16 @@ void WaterLight::look_for_faces(Memory& memory) const {
 void WaterLight::look_for_sun(std::span<const WaterLook> looks, Memory& memory) const {
     memory.light_rays.clear();
     if (!(scene_.light.to_sun.z > 0)) return;
-    const bool shadows = scene_.light.shadows;
+    const bool shadows = scene_.light.shadows != Shadows::Off;
     const auto add = [&](const FaceRay& ray) {
         memory.light_rays.push_back(ray);
         return static_cast<std::uint32_t>(memory.light_rays.size() - 1);
     };
     for (std::size_t i = 0; i < looks.size(); ++i) {
         Way& way = memory.ways[i];
-        const glm::dvec3 to_sun = shadows ? on_sun_disc(scene_.light.to_sun, looks[i].sun.u1, looks[i].sun.u2)
-                                          : scene_.light.to_sun;
+        const glm::dvec3 to_sun = scene_.light.shadows == Shadows::Soft
+                                      ? on_sun_disc(scene_.light.to_sun, looks[i].sun.u1, looks[i].sun.u2)
+                                      : scene_.light.to_sun;
         if (way.sun_glitter > kFaint || (shadows && way.in_water.share > kFaint))
             way.sun_ray = add({way.on_plane, to_sun, kFarthest_m});
         else

@@ -61,6 +61,37 @@ TEST_CASE("keikan scan and shade: the same bytes as render, after a change of co
     }
 }
 
+TEST_CASE("keikan render and shade: --shadows stands above the scene's own key", "[app][render][shadow]") {
+    const ScratchFolder folder("app");
+    const auto picture_of = [&](bool key, const std::string& option) {
+        const std::string scene = changed_hill(folder, [&](auto& json) {
+            json["image"] = {{"width", 160}, {"height", 104}};
+            // A wall that is 100 m high, whose shadow's edge lies before the viewer.
+            json["objects"] = {{{"type", "building"},
+                                {"name", "wall"},
+                                {"footprint_m", {{-200, -300}, {-40, -300}, {-40, -295}, {-200, -295}}},
+                                {"floor_m", 60},
+                                {"height_m", 100},
+                                {"roof", "flat"},
+                                {"materials", {{"wall", "ground"}}}}};
+            json["light"]["sun"] = {{"azimuth_deg", 30}, {"elevation_deg", 35}, {"shadows", key}};
+        });
+        const Run run = run_keikan("render " + scene + " -o - --quiet" + option);
+        REQUIRE(run.exit_code == 0);
+        const std::string scan = folder / "hill.scan";
+        REQUIRE(run_keikan("scan " + scene + " -o " + scan).exit_code == 0);
+        CHECK(run_keikan("shade " + scan + " " + scene + " -o - --quiet" + option).out == run.out);
+        return run.out;
+    };
+    const std::string without = picture_of(false, ""), with = picture_of(true, "");
+    CHECK((without != with));
+    CHECK((picture_of(true, " --shadows off") == without));
+    CHECK((picture_of(false, " --shadows soft") == with));
+    const std::string hard = picture_of(false, " --shadows hard");
+    CHECK((hard != with));
+    CHECK((hard != without));
+}
+
 TEST_CASE("keikan: the bytes do not depend on the number of threads", "[app][threads]") {
     const ScratchFolder folder("app");
     std::string scan, picture;

@@ -47,6 +47,8 @@ TEST_CASE("keikan: wrong usage is one line and exit code 2", "[app]") {
     refused("render " + hill() + " -o - --engine magic", "magic");
     refused("scan " + hill() + " -o x.scan --engine published", "add up to 1");
     refused("render " + hill() + " -o - --extract magic", "magic");
+    refused("render " + hill() + " -o - --shadows long", "'long' is none of off, hard, soft");
+    refused("shade x.scan " + hill() + " -o - --shadows long", "--shadows");
     refused("render " + hill() + " -o - --aov", ".exr");
     refused("render " + hill() + " -o picture.jpeg", "picture.jpeg");
     refused("areas --engine magic", "magic");

@@ -3,9 +3,12 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include "../support/scratch_folder.hpp"
+#include "keikan/render/scene_rays.hpp"
 #include "keikan/support/input_error.hpp"
 #include "keikan/support/parallel.hpp"
 
@@ -94,6 +97,37 @@ TEST_CASE("render_scene: coverage and flags agree with each other", "[render]") 
     CHECK(wrong == 0);
     CHECK(skies > 1000);
     CHECK(grounds > 1000);
+}
+
+TEST_CASE("SceneRays: half of the sun's disc is seen from the edge of a shadow, all or nothing of a point",
+          "[render][shadow]") {
+    // A wall across y = 0, 10 m high; the sun 45 degrees up beyond it: its shadow ends at y = -10 on z = 0,
+    // in a penumbra that is 0.186 m wide.
+    Geometry geometry;
+    Mesh wall;
+    const std::uint32_t corners[] = {wall.add_position({-500, 0, -1}), wall.add_position({500, 0, -1}),
+                                     wall.add_position({500, 0, 10}), wall.add_position({-500, 0, 10})};
+    wall.add_face(corners, 0);
+    geometry.objects.push_back({"wall", ObjectKind::Building, wall});
+    geometry.first_face = {0, 1};
+    Scene scene;
+    scene.materials.resize(1);
+    scene.camera.position = {0, -20, 5};
+    scene.light.to_sun = {0, std::sqrt(0.5), std::sqrt(0.5)};
+    const auto share_at = [&](double y, Shadows shadows) {
+        scene.light.shadows = shadows;
+        const std::vector<glm::dvec3> points(256, {0, y, 0});
+        return SceneRays(scene, geometry).sun_share(points, {0, 0, 1}, 7);
+    };
+    CHECK(share_at(-10, Shadows::Soft) == Approx(0.5).margin(0.04));
+    for (const Shadows shadows : {Shadows::Soft, Shadows::Hard}) {
+        CHECK(share_at(-10.2, shadows) == 1);
+        CHECK(share_at(-9.8, shadows) == 0);
+    }
+    CHECK(share_at(-10.02, Shadows::Soft) < 1);
+    CHECK(share_at(-10.02, Shadows::Hard) == 1);
+    CHECK(share_at(-9.98, Shadows::Soft) > 0);
+    CHECK(share_at(-9.98, Shadows::Hard) == 0);
 }
 
 TEST_CASE("shade_scan_file: the scan of another picture is refused", "[render][scan]") {

@@ -80,9 +80,15 @@ nlohmann::ordered_json json_of(const WaterResult& r) {
 }  // namespace
 
 std::uint64_t WaterReport::missed() const {
-    std::uint64_t sum = adaptive.missed + random.missed + sobol.missed;
+    std::uint64_t sum = reference_missed + adaptive.missed + random.missed + sobol.missed;
     for (const WaterResult& r : paper) sum += r.missed;
     return sum;
+}
+
+bool WaterReport::finite() const {
+    const auto is_finite = [](const WaterResult& r) { return std::isfinite(r.rmse); };
+    return std::isfinite(filter_rmse) && is_finite(adaptive) && is_finite(random) && is_finite(sobol) &&
+           std::all_of(paper.begin(), paper.end(), is_finite);
 }
 
 std::optional<PixelWindow> window_of_water(const Scene& scene, const Geometry& geometry, ImageSize size) {
@@ -108,15 +114,20 @@ std::optional<PixelWindow> window_of_water(const Scene& scene, const Geometry& g
 }
 
 WaterReport check_water(const Scene& scene, const Geometry& geometry, const WaterCheckOptions& options) {
+    return check_water([&](const WaterOptions& water) { return drawn(scene, geometry, water); }, options);
+}
+
+WaterReport check_water(const WaterDrawing& draw, const WaterCheckOptions& options) {
     WaterOptions many = fixed(Sampler::Sobol, options.reference_samples, options);
     many.seed = kReferenceSeed;
-    const RenderedPicture reference = drawn(scene, geometry, many);
+    const RenderedPicture reference = draw(many);
     many.filter = false;
-    const RenderedPicture all_waves = drawn(scene, geometry, many);
+    const RenderedPicture all_waves = draw(many);
 
     WaterReport report;
     report.window = options.window;
     report.asked_error = options.error;
+    report.reference_missed = reference.water.missed + all_waves.water.missed;
     each_water_pixel(options.window, reference.extra.water_samples, [&](PixelIndex) { ++report.pixels; });
     report.filter_rmse = compared("", reference, all_waves, options.window).rmse;
 
@@ -125,14 +136,13 @@ WaterReport check_water(const Scene& scene, const Geometry& geometry, const Wate
     adaptive.most = 1 << 16;
     adaptive.window = options.window;
     adaptive.seed = options.seed;
-    report.adaptive = compared("variance", drawn(scene, geometry, adaptive), reference, options.window);
+    report.adaptive = compared("variance", draw(adaptive), reference, options.window);
     // What was measured beforehand, all over the picture: as many samples as it has pixels of water.
     report.adaptive.samples_per_pixel += 1;
     const int equal = std::max(1, static_cast<int>(std::ceil(report.adaptive.samples_per_pixel)));
-    report.random = compared("random", drawn(scene, geometry, fixed(Sampler::Random, equal, options)),
-                             reference, options.window);
-    report.sobol = compared("sobol", drawn(scene, geometry, fixed(Sampler::Sobol, equal, options)), reference,
-                            options.window);
+    report.random =
+        compared("random", draw(fixed(Sampler::Random, equal, options)), reference, options.window);
+    report.sobol = compared("sobol", draw(fixed(Sampler::Sobol, equal, options)), reference, options.window);
     for (const double k_w : options.k_w)
         for (const double k_r : options.k_r) {
             WaterOptions paper;
@@ -140,8 +150,8 @@ WaterReport check_water(const Scene& scene, const Geometry& geometry, const Wate
             paper.paper = {.k_w = k_w, .k_r = k_r, .most = options.paper_most};
             paper.window = options.window;
             paper.seed = options.seed;
-            report.paper.push_back(compared(fmt::format("paper k_w {:g}, k_r {:g}", k_w, k_r),
-                                            drawn(scene, geometry, paper), all_waves, options.window));
+            report.paper.push_back(compared(fmt::format("paper k_w {:g}, k_r {:g}", k_w, k_r), draw(paper),
+                                            all_waves, options.window));
         }
     return report;
 }
@@ -155,6 +165,7 @@ std::string report_json(const WaterReport& report, double seconds) {
     json["error_as_asked"] = report.error_as_asked();
     json["beats_random"] = report.beats_random();
     json["missed"] = report.missed();
+    json["finite"] = report.finite();
     json["filter_rmse"] = report.filter_rmse;
     for (const WaterResult* r : {&report.adaptive, &report.random, &report.sobol})
         json["methods"].push_back(json_of(*r));

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,16 +43,20 @@ struct WaterReport {
     WaterResult
         random;         ///< independent points, as many in each pixel as the adaptive method takes on average
     WaterResult sobol;  ///< Sobol's points, as many
-    double filter_rmse = 0;  ///< reference with waves taken for slopes, against all waves traced
+    double filter_rmse = 0;              ///< reference with waves taken for slopes, against all waves traced
+    std::uint64_t reference_missed = 0;  ///< of both references
     std::vector<WaterResult> paper;
 
     static constexpr double kWithin = 0.2;  ///< how far the error may be from the one that was asked for
     static constexpr double kBestOfRandom = 0.7;
 
-    std::uint64_t missed() const;
+    std::uint64_t missed() const;  ///< by any method, and by the references
+    bool finite() const;           ///< every method's errors are
     bool error_as_asked() const { return std::abs(adaptive.rmse / asked_error - 1) <= kWithin; }
     bool beats_random() const { return adaptive.rmse <= kBestOfRandom * random.rmse; }
-    bool pass() const { return pixels > 0 && missed() == 0 && error_as_asked() && beats_random(); }
+    bool pass() const {
+        return pixels > 0 && missed() == 0 && finite() && error_as_asked() && beats_random();
+    }
 };
 
 /// The part of the picture, at most `size`, whose middle is the median row and column of the water's pixels.
@@ -66,6 +71,11 @@ std::optional<PixelWindow> window_of_water(const Scene& scene, const Geometry& g
 ///       take them for slopes; the paper's, which traces all waves, against one in which all are traced.
 ///   (2) The random points are rounded up to a whole number a pixel: no fewer than the adaptive method takes.
 WaterReport check_water(const Scene& scene, const Geometry& geometry, const WaterCheckOptions& options);
+
+/// Whoever draws: render_scene of one scene with these options for its water and with ExtraImages; or a fault
+/// in its place, to see it found.
+using WaterDrawing = std::function<RenderedPicture(const WaterOptions&)>;
+WaterReport check_water(const WaterDrawing& draw, const WaterCheckOptions& options);
 
 /// {"verdict": "pass" | "fail", "pixels": n, "samples": {...}, "methods": [...], ...}
 std::string report_json(const WaterReport& report, double seconds);

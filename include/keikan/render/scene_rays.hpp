@@ -24,7 +24,7 @@ class SceneRays {
 
     /// The share of the sun's disc that is seen from points of a face whose plane has this unit normal (of
     /// either side): from points[i] a ray goes to the i-th of Sobol's points on the disc, keyed by `key`. The
-    /// disc has the sun's true angular radius, kSunRadius_rad.
+    /// disc has the sun's true angular radius, kSunRadius_rad; with Shadows::Hard all rays go to its middle.
     ///
     /// Property: (1) A function of scene, geometry and the arguments alone, bit for bit.
     /// Error:    n points err by less than 2 / n for one straight edge before the sun, as a rule; the share

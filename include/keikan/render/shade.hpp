@@ -34,7 +34,7 @@ struct ExtraImages {
 /// colour goes from `horizon` (at and below the horizon) to `zenith` linearly in the sine of the view
 /// direction's elevation.
 ///
-/// With `rays`, where Light::shadows is set, `sun` is that share of it that is seen past other faces
+/// With `rays`, unless Light::shadows is Off, `sun` is that share of it that is seen past other faces
 /// (SceneRays::sun_share): from 4 points of the face, spread over the pixel (over a square of the size of a
 /// divided pixel's part, around its centroid), and where these do not agree, from 32.
 ///

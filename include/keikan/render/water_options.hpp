@@ -35,9 +35,12 @@ struct WaterOptions {
     WaterMode mode = WaterMode::Variance;
     MixedPixels mixed = MixedPixels::Exact;
     /// Variance: standard error of the pixel's colour, in sRGB codes of 8 bits: root of the mean square of
-    /// the channels'.
+    /// the channels'. It is an aim, held to by estimates: over many pixels the root of the mean square of
+    /// their errors is within 20 % of it, where pixels need more than `least` and fewer than `most` samples
+    /// (`keikan-verify water`, docs/water.md). No bound of any one pixel.
     double error = 2;
-    int least = 16;                          ///< Variance: first samples, a power of two
+    /// Variance: fewest samples of a pixel; four times as many where no pixel nearby was measured beforehand.
+    int least = 4;
     int most = 256;                          ///< Variance
     int fixed = 64;                          ///< Fixed
     Sampler fixed_sampler = Sampler::Sobol;  ///< Fixed

@@ -42,11 +42,18 @@ struct Material {
     std::optional<HeightSlopeRamp> ramp;  ///< replaces `colour`
 };
 
+/// Whether faces hide the sun from one another, and from water.
+enum class Shadows {
+    Off,
+    Hard,  ///< the sun is the middle of its disc
+    Soft,  ///< the sun is a disc, of its true size: shadows have penumbras
+};
+
 /// The lights of the scene, all in linear light.
 struct Light {
     glm::dvec3 to_sun{0, 0, 1};  ///< unit vector
     Rgb sun{1, 1, 1};
-    bool shadows = false;                    ///< faces hide the sun's disc from one another
+    Shadows shadows = Shadows::Off;
     Rgb sky_ambient{0.3f, 0.35f, 0.45f};     ///< on faces that look up; blends by the normal's z ...
     Rgb ground_ambient{0.12f, 0.11f, 0.1f};  ///< ... to this on faces that look down
 };

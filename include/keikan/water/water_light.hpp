@@ -78,9 +78,9 @@ struct WaterSample {
 /// Face rays start on the mean plane, where the view ray goes through it: as waves do not move the water's
 /// outline, a trough behind the shore must not see the shore from below.
 ///
-/// Where Light::shadows is set, a face that is mirrored is lit, and the water is lit, by the point of the
-/// sun's disc that the sample chose, if no face is before it; otherwise faces hide the sun from the glitter
-/// alone.
+/// Unless Light::shadows is Off, a face that is mirrored is lit, and the water is lit, by the point of the
+/// sun's disc that the sample chose (Hard: by its middle), if no face is before it; otherwise faces hide the
+/// sun from the glitter alone.
 ///
 /// Property: (1) With SlopeOrder::AsGiven, samples[i] is a function of water, resolved and looks[i] alone,
 /// the
