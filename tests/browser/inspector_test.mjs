@@ -263,12 +263,13 @@ describe("the pixel inspector", { concurrency: 2 }, () => {
 
     test("a campaign without findings says what was tried", async () => {
         const { summary } = await report("emptyFuzz");
+        const families = summary.campaign.families.length;
         assert.equal(summary.campaign.findings, 0);
         await inPage(await report("emptyFuzz"), {}, async (page) => {
             await checkFigures(page, summary);
-            assert.match(await textOf(page, "#fuzz-sentence"), /^No findings\. 240 pixels of 24 families/);
+            assert.match(await textOf(page, "#fuzz-sentence"), new RegExp(`^No findings\\. 240 pixels of ${families} families`));
             const tried = await page.$$eval("#family-table tbody td:nth-child(2)", (cells) => cells.map((c) => Number(c.textContent)));
-            assert.equal(tried.length, 24);
+            assert.equal(tried.length, families);
             assert.equal(tried.reduce((a, b) => a + b), 240);
         });
     });
