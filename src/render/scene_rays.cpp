@@ -25,7 +25,7 @@ namespace {
 constexpr double kTracedCycles = 1, kSlopeCycles = 3;
 
 /// How near to the waves a ray meets them, across the view.
-constexpr double kMeetingError_px = 0x1p-10;
+constexpr double kMeetingError_px = 0x1p-8;
 
 double traced_share(double cycles) {
     const double s = std::clamp((cycles - kTracedCycles) / (kSlopeCycles - kTracedCycles), 0.0, 1.0);

@@ -220,21 +220,25 @@ Rgb FaceRays::colour(const FaceHit& hit, const glm::dvec3& point, const glm::dve
     return colour;
 }
 
-glm::dvec3 on_sun_disc(const glm::dvec3& to_sun, double u1, double u2) {
+SunDisc::SunDisc(const glm::dvec3& to_sun) : to_sun_(to_sun) {
+    const glm::dvec3 aside = std::abs(to_sun.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    const double rim = std::tan(kSunRadius_rad);
+    right_ = glm::normalize(glm::cross(aside, to_sun));
+    up_ = rim * glm::cross(to_sun, right_);
+    right_ *= rim;
+}
+
+glm::dvec3 SunDisc::at(double u1, double u2) const {
     // Squares around the centre become circles: neighbours stay neighbours.
     const double a = 2 * u1 - 1, b = 2 * u2 - 1;
-    double r = 0, phi = 0;
-    if (std::abs(a) > std::abs(b)) {
-        r = a;
-        phi = std::numbers::pi / 4 * (b / a);
-    } else if (b != 0) {
-        r = b;
-        phi = std::numbers::pi / 2 - std::numbers::pi / 4 * (a / b);
-    }
-    const glm::dvec3 aside = std::abs(to_sun.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 e1 = glm::normalize(glm::cross(aside, to_sun)), e2 = glm::cross(to_sun, e1);
-    const double reach = std::tan(kSunRadius_rad) * r;
-    return glm::normalize(to_sun + reach * std::cos(phi) * e1 + reach * std::sin(phi) * e2);
+    const bool flat = std::abs(a) > std::abs(b);
+    const double r = flat ? a : b, off = flat ? b : a;
+    // An eighth of a turn at most, so that few terms of the series are enough: the rest is 4e-7.
+    const double phi = r != 0 ? std::numbers::pi / 4 * (off / r) : 0, q = phi * phi;
+    const double sine = phi * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
+    const double cosine = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56)));
+    const double x = r * (flat ? cosine : sine), y = r * (flat ? sine : cosine);
+    return glm::normalize(to_sun_ + x * right_ + y * up_);
 }
 
 Rgb through_haze(const Haze& haze, Rgb colour, double distance_m) {

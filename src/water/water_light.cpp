@@ -308,7 +308,7 @@ void WaterLight::look_for_sun(std::span<const WaterLook> looks, Memory& memory) 
     for (std::size_t i = 0; i < looks.size(); ++i) {
         Way& way = memory.ways[i];
         const glm::dvec3 to_sun = scene_.light.shadows == Shadows::Soft
-                                      ? on_sun_disc(scene_.light.to_sun, looks[i].sun.u1, looks[i].sun.u2)
+                                      ? disc_.at(looks[i].sun.u1, looks[i].sun.u2)
                                       : scene_.light.to_sun;
         if (way.sun_glitter > kFaint || (shadows && way.in_water.share > kFaint))
             way.sun_ray = add({way.on_plane, to_sun, kFarthest_m});

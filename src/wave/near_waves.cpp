@@ -142,6 +142,15 @@ void NearWaves::trace(std::span<const WaveRay> rays, std::span<std::optional<Wav
                     hits[i].steps};
         count = 0;
     };
+    std::array<WaveRay, kTogether> far;
+    std::array<std::optional<WaveMeeting>, kTogether> far_meetings;
+    std::array<std::size_t, kTogether> far_place_of;
+    std::size_t far_count = 0;
+    const auto trace_far = [&] {
+        trace_waves(*l.waves, std::span(far).first(far_count), std::span(far_meetings).first(far_count));
+        for (std::size_t i = 0; i < far_count; ++i) meetings[far_place_of[i]] = far_meetings[i];
+        far_count = 0;
+    };
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const WaveRay& ray = rays[i];
         meetings[i].reset();
@@ -164,9 +173,10 @@ void NearWaves::trace(std::span<const WaveRay> rays, std::span<std::optional<Wav
         const double farthest = std::max({std::abs(x), std::abs(y), std::abs(x_end), std::abs(y_end)});
         if (!(farthest <= l.reach_m)) {
             // Where a meeting in single precision is its start, it is not to be met at once.
-            WaveRay lifted = ray;
-            if (error_m_ > kTraceError) lifted.origin.z += error_m_ / 2;
-            trace_waves(*l.waves, std::span(&lifted, 1), meetings.subspan(i, 1));
+            far[far_count] = ray;
+            if (error_m_ > kTraceError) far[far_count].origin.z += error_m_ / 2;
+            far_place_of[far_count] = i;
+            if (++far_count == kTogether) trace_far();
             continue;
         }
         const auto in_float = [](double v) { return static_cast<float>(v); };
@@ -178,6 +188,7 @@ void NearWaves::trace(std::span<const WaveRay> rays, std::span<std::optional<Wav
         if (++count == kTogether) trace_them();
     }
     if (count > 0) trace_them();
+    if (far_count > 0) trace_far();
 }
 
 }  // namespace keikan

@@ -172,7 +172,8 @@ double draw(const std::vector<WaterPixel>& pixels, WaterSampler& sampler, const 
             slopes.clear();
             suns.clear();
             for (std::uint32_t i = begin; i < end; ++i) {
-                places.push_back(scrambled_sobol(i / kSlopesOfAPlace, place));
+                places.push_back(i % kSlopesOfAPlace == 0 ? scrambled_sobol(i / kSlopesOfAPlace, place)
+                                                          : places.back());
                 slopes.push_back(scrambled_sobol(i, slope));
                 suns.push_back(shuffled_sobol(i, sun));
             }

@@ -67,9 +67,22 @@ class FaceRays {
     std::unique_ptr<Hierarchy> hierarchy_;
 };
 
-/// The direction of a point of the sun's disc, for a uniform point of the unit square: uniform on the disc
-/// (Shirley, Chiu 1997), kSunRadius_rad around `to_sun`.
-glm::dvec3 on_sun_disc(const glm::dvec3& to_sun, double u1, double u2);
+/// The sun's disc, kSunRadius_rad around a unit vector.
+class SunDisc {
+  public:
+    explicit SunDisc(const glm::dvec3& to_sun);
+
+    /// The direction of a point of the disc, for a uniform point of the unit square: uniform on the disc
+    /// (Shirley, Chiu 1997).
+    glm::dvec3 at(double u1, double u2) const;
+
+  private:
+    glm::dvec3 to_sun_, right_, up_;  ///< right_ and up_ reach to the rim
+};
+
+inline glm::dvec3 on_sun_disc(const glm::dvec3& to_sun, double u1, double u2) {
+    return SunDisc(to_sun).at(u1, u2);
+}
 
 /// `colour` seen through `distance_m` of haze.
 Rgb through_haze(const Haze& haze, Rgb colour, double distance_m);

@@ -110,7 +110,7 @@ class WaterLight {
 
     /// Requires: `scene` and `faces` outlive it.
     WaterLight(const Scene& scene, const FaceRays& faces)
-        : scene_(scene), sky_(scene.background, scene.light), faces_(faces) {}
+        : scene_(scene), sky_(scene.background, scene.light), faces_(faces), disc_(scene.light.to_sun) {}
 
     /// Requires: unit directions; looks and samples of equal size.
     void along(const WaterSurface& water, const ResolvedWater& resolved, std::span<const WaterLook> looks,
@@ -138,6 +138,7 @@ class WaterLight {
     const Scene& scene_;
     Sky sky_;
     const FaceRays& faces_;
+    SunDisc disc_;
 };
 
 }  // namespace keikan
