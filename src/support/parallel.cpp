@@ -50,6 +50,11 @@ ThreadLimit::~ThreadLimit() {
     Control::innermost().store(control_->outer);
 }
 
+void on_one_thread(const std::function<void()>& work) {
+    tbb::task_arena arena(1);
+    arena.execute(work);
+}
+
 int thread_count() {
     if (const ThreadLimit::Control* control = ThreadLimit::Control::innermost().load())
         return control->threads;

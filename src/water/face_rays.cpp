@@ -12,6 +12,7 @@
 
 #include "keikan/scene/sky.hpp"
 #include "keikan/support/check.hpp"
+#include "keikan/support/parallel.hpp"
 
 namespace keikan {
 
@@ -115,16 +116,17 @@ struct FaceRays::Hierarchy {
 FaceRays::FaceRays(const Scene& scene, const Geometry& geometry)
     : scene_(scene), hierarchy_(std::make_unique<Hierarchy>()) {
     Hierarchy& work = *hierarchy_;
-    // One thread builds, so that the hierarchy, and which of two faces that meet in a ray is hit, is always
-    // the same.
-    work.device = rtcNewDevice("threads=1");
+    // A device that is told its number of threads would hold the whole program to it.
+    work.device = rtcNewDevice(nullptr);
     KEIKAN_CHECK(work.device != nullptr, "Embree gives no device");
     work.scene = rtcNewScene(work.device);
     rtcSetSceneFlags(work.scene, RTC_SCENE_FLAG_ROBUST);
     work.origin = scene.camera.position;
     for (const Object& object : geometry.objects)
         if (object.kind != ObjectKind::Water) work.add(object.mesh);
-    rtcCommitScene(work.scene);
+    // One thread builds, so that the hierarchy, and which of two faces that meet in a ray is hit, is always
+    // the same.
+    on_one_thread([&] { rtcCommitScene(work.scene); });
     KEIKAN_CHECK(rtcGetDeviceError(work.device) == RTC_ERROR_NONE, "Embree could not build its hierarchy");
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keikan/water/water_light.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "keikan/support/parallel.hpp"
 #include "keikan/water/fresnel.hpp"
 #include "keikan/wave/pixel_sampler.hpp"
 #include "upright_wall.hpp"
@@ -42,6 +45,22 @@ WaterSurface black_water() {
 }
 
 }  // namespace
+
+TEST_CASE("FaceRays: while it lives, work still goes on side by side", "[water][rays][threads]") {
+    const ThreadLimit two(2);
+    const Scene scene = empty_scene({0, 0, 0});
+    const Geometry geometry = wall();
+    const FaceRays rays(scene, geometry);
+    std::atomic<int> begun = 0, met = 0;
+    parallel_for(2, [&](std::size_t) {
+        ++begun;
+        const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        while (begun < 2 && std::chrono::steady_clock::now() < patience) {
+        }
+        if (begun == 2) ++met;
+    });
+    CHECK(met == 2);
+}
 
 TEST_CASE("FaceRays: the first face, its distance and its Phong colour", "[water][rays]") {
     Scene scene = empty_scene({0, 0, 0});

@@ -26,6 +26,10 @@ class ThreadLimit {
 /// Threads that the work below may use at this moment, at least 1.
 int thread_count();
 
+/// Calls `work` so that libraries that use oneTBB's threads of their own accord keep to this one meanwhile:
+/// what they build does not depend on the number of threads. Others are not held up.
+void on_one_thread(const std::function<void()>& work);
+
 /// Calls `work(i)` once for every i in [0, count), in any order, side by side. An exception of any call is
 /// thrown again here, when no other call runs any more; calls that had not begun by then are left out. The
 /// same holds for the functions below. With one thread, all calls come in rising order on this thread.
