@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 
 #include "degenerate_pixels.hpp"
 #include "exact_reference.hpp"
@@ -24,16 +25,36 @@ struct Worst {
     double area = 0, sum = 0;
 };
 
+// The rational reference takes minutes under a sanitizer: there it is asked for fewer pixels, and for none of
+// many corners, of which only the sum of the areas is looked at.
+#ifdef KEIKAN_DEBUG_CHECKS
+constexpr int kPixelsOfFamily = 1;
+constexpr std::size_t kMostCorners = 60;
+#else
+constexpr int kPixelsOfFamily = 4;
+constexpr std::size_t kMostCorners = 1'000'000;
+#endif
+
+std::optional<ExactReference<Rational>::Areas> exact_areas(const PixelCase& pixel_case,
+                                                           const std::vector<FaceView>& faces) {
+    std::size_t corners = 0;
+    for (const FaceView& face : faces) corners += face.outline.size();
+    if (corners > kMostCorners) return std::nullopt;
+    return ExactReference<Rational>::visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
+}
+
 /// The errors of one answer.
-Worst errors_of(const PixelCoverage& seen, std::size_t faces, const ExactReference<Rational>::Areas& truth) {
+Worst errors_of(const PixelCoverage& seen, std::size_t faces,
+                const std::optional<ExactReference<Rational>::Areas>& truth) {
     std::vector<double> areas(faces);
     double sum = seen.background;
     for (const VisiblePart& part : seen.parts) {
         areas[part.face] = part.area;
         sum += part.area;
     }
-    double error = distance(seen.background, truth.background);
-    for (std::size_t i = 0; i < faces; ++i) error = std::max(error, distance(areas[i], truth.areas[i]));
+    double error = truth ? distance(seen.background, truth->background) : 0;
+    for (std::size_t i = 0; truth && i < faces; ++i)
+        error = std::max(error, distance(areas[i], truth->areas[i]));
     return {error, std::abs(sum - 1)};
 }
 
@@ -44,11 +65,12 @@ struct BothEngines {
     /// The larger errors of either.
     Worst errors_of(const PixelCase& pixel_case) {
         const std::vector<FaceView> faces = pixel_case.faces();
-        const auto truth =
-            ExactReference<Rational>::visible_areas(pixel_case.pixel, faces, pixel_case.nearness());
-        Rational exact_sum = truth.background;
-        for (const Rational& area : truth.areas) exact_sum += area;
-        REQUIRE(exact_sum == 1);
+        const auto truth = exact_areas(pixel_case, faces);
+        if (truth) {
+            Rational exact_sum = truth->background;
+            for (const Rational& area : truth->areas) exact_sum += area;
+            REQUIRE(exact_sum == 1);
+        }
         Worst worst;
         for (VisibleAreas* const engine : {&splitting, &traversal}) {
             const Worst errors =
@@ -73,12 +95,6 @@ Worst worst_of(const Family& family, std::uint64_t seed, int count, bool with_de
 }
 
 }  // namespace
-
-#ifdef KEIKAN_DEBUG_CHECKS
-constexpr int kPixelsOfFamily = 1;  // the rational reference takes minutes under a sanitizer
-#else
-constexpr int kPixelsOfFamily = 4;
-#endif
 
 TEST_CASE("visible_areas: every area is within its bound of the exact one, in every degenerate family",
           "[clip][fuzz]") {
@@ -109,7 +125,12 @@ TEST_CASE("visible_areas: faces of 80 corners, more than one word of bits, are d
         pixel_case.polygons.push_back(ring);
     }
     BothEngines engines;
-    CHECK(engines.errors_of(pixel_case).area <= kVisibleAreaError);
+    const auto check = [&] {
+        const Worst errors = engines.errors_of(pixel_case);
+        CHECK(errors.area <= kVisibleAreaError);
+        CHECK(errors.sum <= kAreaSumError);
+    };
+    check();
     pixel_case.depth = {{1, 0, 0}, {0, 0.1, 0.5}};
-    CHECK(engines.errors_of(pixel_case).area <= kVisibleAreaError);
+    check();
 }
