@@ -151,8 +151,7 @@ void add_compare_command(CLI::App& app, const CommonOptions& common) {
         "--inset", command->inset,
         "X,Y: upper left corner of the part that is enlarged (default: where most conductors are)");
     add_water_options(*sub, command->water);
-    sub->add_option("--shadows", command->shadows,
-                    "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
+    add_shadows_option(*sub, command->shadows);
     sub->callback([command, &common] { compare_scene(*command, common); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "option_values.hpp"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
 #include <utility>
@@ -43,6 +44,11 @@ PixelIndex pixel_of(const std::string& text, ImageSize size, const std::string& 
         throw InputError(option + ": pixel " + text + " is outside of the picture of " +
                          std::to_string(size.width) + "x" + std::to_string(size.height));
     return {x, y};
+}
+
+void add_shadows_option(CLI::App& app, std::string& shadows) {
+    app.add_option("--shadows", shadows,
+                   "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
 }
 
 std::optional<Shadows> shadows_of(const std::string& text) {

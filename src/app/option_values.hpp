@@ -8,6 +8,10 @@
 #include "keikan/scan/scan_scene.hpp"
 #include "keikan/scene/material.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace keikan {
 
 /// "1000x650" as columns and rows; nothing for an empty text (the scene decides).
@@ -17,6 +21,7 @@ std::optional<ImageSize> picture_size(const std::string& text);
 /// "412,77" as a pixel of a picture of this size. Errors: InputError.
 PixelIndex pixel_of(const std::string& text, ImageSize size, const std::string& option = "--at");
 
+void add_shadows_option(CLI::App& app, std::string& shadows);
 /// "off", "hard" or "soft"; nothing for an empty text (the scene decides). Errors: InputError.
 std::optional<Shadows> shadows_of(const std::string& text);
 

@@ -85,8 +85,7 @@ void add_render_command(CLI::App& app, const CommonOptions& common) {
     sub->add_option("--extract", command->extract, "Which pixels are divided exactly: outline, paper")
         ->capture_default_str();
     add_water_options(*sub, command->water);
-    sub->add_option("--shadows", command->shadows,
-                    "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
+    add_shadows_option(*sub, command->shadows);
     sub->add_option("--engine", command->engine, "For visible areas: splitting, traversal, published")
         ->capture_default_str();
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")

@@ -59,8 +59,7 @@ void add_shade_command(CLI::App& app, const CommonOptions& common) {
                     "Picture: .png, .exr, or - for PNG on standard output")
         ->required();
     add_water_options(*sub, command->water);
-    sub->add_option("--shadows", command->shadows,
-                    "Of the sun on faces: off, hard (a point), soft (its disc) (default: as the scene says)");
+    add_shadows_option(*sub, command->shadows);
     sub->add_option("--bits", command->output.bits, "Of a PNG, for each colour: 8 or 16")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

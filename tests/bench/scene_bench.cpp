@@ -2,18 +2,16 @@
 // keikan against Embree 3: the same faces, the same threads, in one process, in turns.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <ctime>
-#include <exception>
 #include <fstream>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "bench_program.hpp"
 #include "embree_render.hpp"
 #include "keikan/render/render_scene.hpp"
 #include "keikan/scene/scene.hpp"
@@ -142,11 +140,5 @@ int main(int count, char** arguments) {
     app.add_option("--repeat", options.repeat, "turns")->capture_default_str()->check(CLI::Range(1, 1000));
     app.add_flag("--processor-time", options.processor_time,
                  "not wall time: for a machine that is busy otherwise");
-    CLI11_PARSE(app, count, arguments);
-    try {
-        return run(options);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+    return bench::run_program(app, count, arguments, [&] { return run(options); });
 }

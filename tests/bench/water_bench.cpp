@@ -4,16 +4,14 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
-#include <exception>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bench_program.hpp"
 #include "keikan/render/render_scene.hpp"
 #include "keikan/render/scene_rays.hpp"
 #include "keikan/scene/scene.hpp"
@@ -264,11 +262,5 @@ int main(int count, char** arguments) {
     app.add_option("--height", options.height, "rows of the picture")->capture_default_str();
     app.add_option("--water-error", options.error, "as of keikan render")->capture_default_str();
     app.add_option("--repeat", options.repeat, "turns")->capture_default_str()->check(CLI::Range(1, 1000));
-    CLI11_PARSE(app, count, arguments);
-    try {
-        return run(options);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+    return bench::run_program(app, count, arguments, [&] { return run(options); });
 }
